@@ -1,0 +1,170 @@
+//! How new segments are attached: at the tip of a growing axis, or as the first ones of two children at a fork.
+
+use super::state::{Axis, Growth, Wood};
+use super::tropism::{elasticity, turned};
+use crate::angle::{Degrees, wrap};
+use crate::mechanics::GROUND;
+use crate::params::{Discretization, Params};
+use crate::plant::Section;
+
+impl Growth {
+    /// Every growing axis gains a segment; every axis that was full grown before this step forks.
+    pub(super) fn extend(&mut self) {
+        for axis in 0..self.state.axes.len() {
+            let Axis { generation, segments, forked, .. } = self.state.axes[axis];
+            let generation = generation as usize;
+            if (segments as usize) < self.plan.generations[generation].length.len() {
+                self.extend_axis(axis);
+            } else if generation + 1 < self.plan.generations.len() && !forked {
+                self.fork(axis);
+            }
+        }
+    }
+
+    fn second_order(&self) -> bool {
+        self.params.solver.discretization == Discretization::SecondOrder
+    }
+
+    /// Flexural rigidity of the first pipe, N m2.
+    fn rigidity(&self, birth_radius: f64) -> f64 {
+        self.params.material.youngs_modulus * Section::new(birth_radius).second_moment_of_area()
+    }
+
+    /// Attaches the next segment of an axis at rest, in the direction of its bearer turned by the tropism.
+    fn extend_axis(&mut self, axis: usize) {
+        let Axis { generation, segments, base_radius, bearer, branching_turn, .. } = self.state.axes[axis];
+        let plan = &self.plan.generations[generation as usize];
+        let length = plan.length[segments as usize];
+        let birth_radius = base_radius * plan.radius[segments as usize];
+        let rigidity = self.rigidity(birth_radius);
+        let below = (segments > 0).then(|| plan.length[segments as usize - 1]);
+        let (joint_length, pipe_stiffness) = match below {
+            _ if !self.second_order() => (length, rigidity / length),
+            None => (0.5 * length, 2.0 * rigidity / length),
+            Some(below) => {
+                let rigidity_below = self.rigidity(self.state.wood[bearer as usize].birth_radius);
+                (0.5 * (below + length), 2.0 / (below / rigidity_below + length / rigidity))
+            }
+        };
+        // The paper's first segment keeps the elevation.
+        let turns = self.second_order() || bearer != GROUND;
+        let turn = if segments == 0 { branching_turn } else { 0.0 };
+        let rest = turn + if turns { self.tropic_turn(bearer, turn, joint_length) } else { 0.0 };
+        let wood = Wood {
+            birth_radius,
+            axis: axis as u32,
+            birth: self.state.step,
+            first_pipe: self.state.step,
+            joint_length,
+            pipe_stiffness,
+            pipe_mass: self.params.material.density * Section::new(birth_radius).area() * length,
+            branching_turn: turn,
+        };
+        let rod = self.push(bearer, length, rest, wood);
+        let axis = &mut self.state.axes[axis];
+        axis.segments += 1;
+        axis.bearer = rod;
+    }
+
+    /// Ends an axis in two children. To second order the fork is a massless node of zero length, half a segment
+    /// beyond the parent's last joint and half a segment before the children's first.
+    fn fork(&mut self, axis: usize) {
+        let parent = self.state.axes[axis];
+        self.state.axes[axis].forked = true;
+        let mut bearer = parent.bearer;
+        let tip = self.state.wood[bearer as usize];
+        let length = self.state.linkage.length[bearer as usize];
+        if self.second_order() {
+            let joint_length = 0.5 * length;
+            let pipe_stiffness = 2.0 * self.rigidity(tip.birth_radius) / length;
+            let rest = self.tropic_turn(bearer, 0.0, joint_length);
+            let birth = self.state.step;
+            let node =
+                Wood { birth, joint_length, pipe_stiffness, pipe_mass: 0.0, branching_turn: 0.0, ..tip };
+            bearer = self.push(bearer, 0.0, rest, node);
+        }
+        let fork = self.plan.fork;
+        let plan = &self.plan.generations[parent.generation as usize];
+        let tip_radius = parent.base_radius * plan.radius_at.last().copied().unwrap_or(1.0);
+        let side = rolled_side(&self.params);
+        let children = [(fork.thicker, side * fork.thicker_turn), (fork.thinner, -side * fork.thinner_turn)];
+        for (width, branching_turn) in children {
+            let child = self.state.axes.len();
+            self.state.axes.push(Axis {
+                generation: parent.generation + 1,
+                base_radius: width * tip_radius,
+                attached: parent.bearer,
+                bearer,
+                branching_turn,
+                segments: 0,
+                forked: false,
+            });
+            self.extend_axis(child);
+        }
+    }
+
+    /// Adds a rod, at rest in the direction that it has from its bearer; returns its index.
+    fn push(&mut self, bearer: u32, length: f64, rest: f64, wood: Wood) -> u32 {
+        let rod = self.rods();
+        self.state.wood.push(wood);
+        let pipes = f64::from(self.pipes(rod));
+        self.state.linkage.push(bearer, length, pipes * pipes * wood.pipe_stiffness, rest);
+        if self.turns() {
+            self.angle.push(self.direction(bearer) + rest);
+        }
+        rod as u32
+    }
+
+    /// Direction of a rod when the step began, in the frame of the base direction.
+    fn direction(&self, rod: u32) -> f64 {
+        if rod == GROUND { 0.0 } else { self.angle[rod as usize] }
+    }
+
+    /// How far a tropism turns new wood that starts at `turn` from its bearer's direction, radians (equation 73).
+    fn tropic_turn(&self, bearer: u32, turn: f64, length: f64) -> f64 {
+        if !self.turns() {
+            return 0.0;
+        }
+        let tropism = &self.params.tropism;
+        let sought = Degrees(tropism.elevation.0 - self.params.axis.elevation.0).radians();
+        let away = wrap(self.direction(bearer) + turn - sought);
+        turned(away, elasticity(tropism.strength, length)) - away
+    }
+}
+
+/// The side to which the thicker child turns: counter-clockwise, unless the fork's plane is rolled over.
+fn rolled_side(params: &Params) -> f64 {
+    if params.branching.roll.0 == 0.0 { 1.0 } else { -1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::{BranchingPattern, Thickening};
+
+    /// The node of a fork stands for half of the parent's last segment, with all of that one's pipes, at every age.
+    #[test]
+    fn the_node_of_a_fork_has_its_bearers_pipes() {
+        let mut params = Params::default();
+        params.axis.segments = 5;
+        params.branching.pattern = BranchingPattern::Bifurcation;
+        params.branching.generations = 2;
+        params.growth.thickening = Thickening::Pipes;
+        let mut growth = Growth::new(&params).unwrap();
+        let mut nodes = 0;
+        while growth.step() {
+            let linkage = &growth.state.linkage;
+            for node in (0..growth.rods()).filter(|&rod| linkage.length[rod] == 0.0) {
+                let bearer = linkage.parent[node] as usize;
+                let whole = growth.section(bearer).second_moment_of_area() * params.material.youngs_modulus;
+                let expected = 2.0 * whole / linkage.length[bearer];
+                assert_eq!(growth.pipes(node), growth.pipes(bearer));
+                assert!((linkage.stiffness[node] / expected - 1.0).abs() < 1e-14);
+                assert_eq!(growth.mass(node), 0.0);
+                nodes += 1;
+            }
+        }
+        // One node over 5 + 5 steps, two more over 5.
+        assert_eq!(nodes, 10 + 10);
+    }
+}

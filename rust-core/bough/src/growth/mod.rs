@@ -1,0 +1,20 @@
+//! How a plant grows: a step thickens old wood, extends or forks the axes, turns new wood, and lets all settle.
+
+mod attach;
+mod fork;
+mod history;
+mod plan;
+mod plant;
+mod pull;
+mod state;
+mod stem;
+mod trajectory;
+mod trend;
+mod tropism;
+mod weight;
+
+pub use fork::Fork;
+pub use history::{History, grow};
+pub use state::Growth;
+pub use trajectory::{Trajectory, relaxation};
+pub use tropism::turned;

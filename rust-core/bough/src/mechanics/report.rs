@@ -1,0 +1,64 @@
+//! What a solver says of its result.
+
+/// How an iteration ended, and what the returned shape then is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// The torque residual is within the tolerance at every joint: the shape is an equilibrium.
+    #[default]
+    Converged,
+    /// The work budget of the caller ran out: the shape is that of the last finished growth step.
+    Budget,
+    /// The iteration limit was reached first: the shape is the last iterate, and not an equilibrium.
+    MaxIterations,
+    /// A number overflowed: the shape is the last one with finite numbers, and not an equilibrium.
+    NonFinite,
+}
+
+impl Status {
+    /// The name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Converged => "converged",
+            Status::Budget => "budget",
+            Status::MaxIterations => "maxIterations",
+            Status::NonFinite => "nonFinite",
+        }
+    }
+}
+
+/// Result of one search for equilibrium.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Outcome {
+    /// How the iteration ended.
+    pub status: Status,
+    /// Largest torque left over at a joint, relative to the largest external torque; 0 without load.
+    pub residual: f64,
+    /// Newton factorizations, or Euler steps.
+    pub iterations: u64,
+    /// Number of directions in which the energy falls: the Hessian's negative eigenvalues, counted by its
+    /// pivots. `None` where the method has no Hessian.
+    pub unstable_directions: Option<u32>,
+}
+
+/// What a plant's report says.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Report {
+    /// How the iteration ended; the worst of all growth steps.
+    pub status: Status,
+    /// Whether the final equilibrium is a minimum of energy (its Hessian is positive definite); `None` when
+    /// the shape is no equilibrium.
+    pub stable: Option<bool>,
+    /// Torque residual of the final shape, relative to the largest external torque.
+    pub residual: f64,
+    /// Largest residual at the end of any growth step.
+    pub worst_step_residual: f64,
+    /// Iterations of all growth steps together: Newton factorizations, or Euler steps.
+    pub iterations: u64,
+    /// Growth steps taken.
+    pub steps: u32,
+    /// First growth step whose equilibrium was not stable, if any: from there on the shape depends on chance
+    /// in a real plant (a straight column past its self-buckling height, say).
+    pub unstable_since: Option<u32>,
+    /// Weight times length squared over flexural rigidity at the base; `q = w L^3 / EI` for a uniform axis.
+    pub gravity_number: f64,
+}

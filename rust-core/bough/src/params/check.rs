@@ -1,0 +1,139 @@
+//! Validation of params against the declaration, and of what they would cost.
+
+use super::cost::{MAX_SEGMENTS, too_large};
+use super::declaration::{ArrangementPattern, BranchingPattern, PARAMETERS, Params, Thickening};
+use super::issue::{Issue, Sentence};
+use super::parameter::{Kind, Parameter};
+use super::value::FORCE_WIDTH;
+
+/// Every problem with these params; empty when a plant can be grown from them. Nothing is thrown.
+pub fn check(params: &Params) -> Vec<Issue> {
+    check_flat(&params.to_flat())
+}
+
+/// As [`check`], on the flat form (see [`Params::to_flat`]).
+pub fn check_flat(flat: &[f64]) -> Vec<Issue> {
+    let mut issues = Vec::new();
+    let mut offset = 0;
+    for parameter in PARAMETERS {
+        let width = parameter.kind.width();
+        for &value in flat.iter().skip(offset).take(width) {
+            issues.extend(problem(parameter, value));
+        }
+        offset += width;
+    }
+    issues.extend(forces(flat.get(offset..).unwrap_or_default()));
+    if issues.is_empty() {
+        issues.extend(unsupported(&Params::from_flat(flat)));
+    }
+    issues
+}
+
+/// What is wrong with the list of forces on segments.
+fn forces(flat: &[f64]) -> Vec<Issue> {
+    let Some(declared) = PARAMETERS.iter().find(|parameter| parameter.kind == Kind::Forces) else {
+        return Vec::new();
+    };
+    let mut issues = Vec::new();
+    for numbers in flat.chunks(FORCE_WIDTH) {
+        let [segment, components @ ..] = numbers else { continue };
+        if libm::floor(*segment) != *segment || !(0.0..MAX_SEGMENTS).contains(segment) {
+            issues.push(Issue::new(
+                "outOfRange",
+                declared.path,
+                *segment,
+                "loads.forces must name segments by whole numbers from 0 to {}; one is {}.",
+                &[MAX_SEGMENTS - 1.0, *segment],
+                (Some(0.0), Some(MAX_SEGMENTS - 1.0)),
+            ));
+        }
+        issues.extend(components.iter().filter_map(|&component| problem(declared, component)));
+    }
+    issues
+}
+
+/// What is wrong with one number of one parameter.
+fn problem(parameter: &Parameter, value: f64) -> Option<Issue> {
+    let Parameter { path, min, max, unit, kind, .. } = *parameter;
+    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let (wanted, numbers): (_, &[f64]) = match kind {
+        Kind::Integer => (format!("a whole number from {{}} to {{}}{unit}"), &[min, max, value]),
+        Kind::Choice(options) => (format!("one of {}", options.join(", ")), &[value]),
+        Kind::Flag => ("true or false".to_owned(), &[value]),
+        Kind::Number => (format!("a number from {{}} to {{}}{unit}"), &[min, max, value]),
+        Kind::Vector | Kind::Forces => {
+            (format!("three numbers, each from {{}} to {{}}{unit}"), &[min, max, value])
+        }
+    };
+    let whole = libm::floor(value) == value;
+    let code = match kind {
+        _ if !value.is_finite() => "notFinite",
+        Kind::Choice(_) | Kind::Flag if !whole || value < min || value > max => "notAnOption",
+        _ if value < min || value > max => "outOfRange",
+        Kind::Integer if !whole => "notInteger",
+        _ => return None,
+    };
+    let sentence = Sentence::new(format!("{path} must be {wanted}; it is {{}}."), numbers);
+    Some(Issue { code, path, value, sentence, min: Some(min), max: Some(max) })
+}
+
+/// Combinations that the model, or the memory of the machine, does not have.
+fn unsupported(params: &Params) -> Vec<Issue> {
+    let mut issues = Vec::new();
+    let z = params.loads.tip_force[2];
+    if z != 0.0 {
+        issues.push(Issue::new(
+            "unsupported",
+            "loads.tipForce",
+            z,
+            "loads.tipForce must lie in the plane of the axis, so its z must be 0; it is {}.",
+            &[z],
+            (Some(0.0), Some(0.0)),
+        ));
+    }
+    let pulls = &params.loads.forces;
+    if let Some(across) = pulls.iter().map(|pull| pull.force[2]).find(|z| *z != 0.0) {
+        issues.push(Issue::new(
+            "unsupported",
+            "loads.forces",
+            across,
+            "loads.forces must lie in the plane of the axis, so their z must be 0; one is {}.",
+            &[across],
+            (Some(0.0), Some(0.0)),
+        ));
+    }
+    if !pulls.is_empty() && params.arrangement.pattern == ArrangementPattern::Stem {
+        issues.push(Issue::new(
+            "unsupported",
+            "loads.forces",
+            pulls.len() as f64,
+            "loads.forces must be empty around a stem; it has {}.",
+            &[pulls.len() as f64],
+            (None, None),
+        ));
+    }
+    let forks = params.branching.pattern == BranchingPattern::Bifurcation;
+    let roll = params.branching.roll.0;
+    if forks && roll != 0.0 && roll.abs() != 180.0 {
+        issues.push(Issue::new(
+            "unsupported",
+            "branching.roll",
+            roll,
+            "branching.roll must be 0 or 180 deg, because all axes lie in one plane; it is {}.",
+            &[roll],
+            (Some(-180.0), Some(180.0)),
+        ));
+    }
+    if forks && params.axis.taper == 0.0 && params.growth.thickening == Thickening::None {
+        issues.push(Issue::new(
+            "unsupported",
+            "axis.taper",
+            0.0,
+            "axis.taper must be above 0 when axes fork: a child cannot grow from a point.",
+            &[],
+            (Some(f64::MIN_POSITIVE), Some(1.0)),
+        ));
+    }
+    issues.extend(too_large(params));
+    issues
+}

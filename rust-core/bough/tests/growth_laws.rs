@@ -1,0 +1,130 @@
+//! What growth does to the shape: closed forms for small slopes, continuum limits for large ones.
+
+#![allow(clippy::disallowed_methods, reason = "expected values may come from any arithmetic")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::needless_range_loop,
+    reason = "a test may stop, and reads like the formula"
+)]
+
+mod support;
+
+use bough::angle::Degrees;
+use bough::grow;
+use bough::params::{Params, Stepping};
+use support::{extrapolated, fitted_order, heavy_rod, piped_rod};
+
+const CUTS: [u32; 5] = [20, 40, 80, 160, 320];
+const FULL: f64 = 1e6;
+
+fn sag(params: &Params) -> f64 {
+    -grow(params).unwrap().tip(0)[1]
+}
+
+fn with_full_tropism(mut params: Params) -> Params {
+    params.tropism.elevation = params.axis.elevation;
+    params.tropism.strength = FULL;
+    params
+}
+
+/// Slopes are below 1e-3, so the nonlinear part of the sag, relative slope^2, is below 1e-6.
+#[test]
+fn small_sags_follow_the_closed_forms() {
+    let small = 1e-3;
+    type Rod = fn(u32) -> Params;
+    let cases: [(&str, Rod, f64, f64); 4] = [
+        ("elastic", |n| heavy_rod(0.0, 1e-3, n), small / 8.0, 2.0),
+        ("tropism", |n| with_full_tropism(heavy_rod(0.0, 1e-3, n)), small / 12.0, 1.0),
+        ("pipes", |n| piped_rod(0.0, 1e-3, n), small / 3.0, 2.0),
+        ("both", |n| with_full_tropism(piped_rod(0.0, 1e-3, n)), small / 6.0, 1.0),
+    ];
+    for (name, rod, exact, expected_order) in cases {
+        let sags = CUTS.map(|segments| sag(&rod(segments)));
+        let errors = sags.map(|sag| (sag / exact - 1.0).abs());
+        let order = fitted_order(&CUTS, &errors);
+        let powers = if expected_order == 1.0 { [1, 2] } else { [2, 4] };
+        let limit = extrapolated(&CUTS, &sags, &powers) / exact;
+        println!("{name:8} order {order:.3} (expected {expected_order}), limit / closed form {limit:.7}");
+        assert!((order - expected_order).abs() < 0.1, "{name}: order {order}");
+        assert!((limit - 1.0).abs() < 1e-4, "{name}: limit {limit}");
+    }
+}
+
+#[test]
+fn without_memory_the_piped_rod_sags_a_third() {
+    let sags = CUTS.map(|segments| {
+        let mut params = piped_rod(0.0, 1e-3, segments);
+        params.solver.stepping = Stepping::Static;
+        sag(&params)
+    });
+    let limit = extrapolated(&CUTS, &sags, &[1, 2]);
+    println!("memoryless sag / (K L^3 / 9): {:.7}", limit / (1e-3 / 9.0));
+    assert!((limit / (1e-3 / 9.0) - 1.0).abs() < 1e-4);
+}
+
+/// Continuum limits with about five digits.
+#[test]
+fn large_growth_tends_to_the_continuum() {
+    type Rod = fn(u32) -> Params;
+    let cases: [(&str, Rod, [f64; 2]); 3] = [
+        ("pipes, K L^2 = 1", |n| piped_rod(0.0, 1.0, n), [0.938566, -0.314449]),
+        (
+            "pipes and tropism, K L^2 = 1",
+            |n| with_full_tropism(piped_rod(0.0, 1.0, n)),
+            [0.983954, -0.162701],
+        ),
+        ("tropism, q = 5", |n| with_full_tropism(heavy_rod(0.0, 5.0, n)), [0.922007, -0.350505]),
+    ];
+    for (name, rod, exact) in cases {
+        let tips = CUTS.map(|segments| grow(&rod(segments)).unwrap().tip(0));
+        let limit = [0, 1].map(|axis| extrapolated(&CUTS, &tips.map(|tip| tip[axis]), &[1, 2, 3]));
+        let off = (limit[0] - exact[0]).hypot(limit[1] - exact[1]);
+        println!("{name}: limit {limit:.6?}, continuum {exact:.6?}, {off:.1e} L apart");
+        assert!(off < 2e-5);
+    }
+}
+
+/// Load at which the smallest pivot changes sign, by bisection on the stability of the grown column.
+fn critical(segments: u32, mut column: impl FnMut(f64) -> Params) -> f64 {
+    let (mut stable, mut unstable) = (1.0, 100.0);
+    while unstable / stable > 1.0 + 1e-9 {
+        let middle = 0.5 * (stable + unstable);
+        let mut params = column(middle);
+        params.axis.elevation = Degrees(90.0);
+        params.axis.segments = segments;
+        let report = grow(&params).unwrap().report;
+        assert_eq!(report.residual, 0.0, "a straight column is in equilibrium");
+        if report.stable == Some(true) {
+            assert_eq!(report.unstable_since, None);
+            stable = middle;
+        } else {
+            assert!(report.unstable_since.is_some());
+            unstable = middle;
+        }
+    }
+    stable
+}
+
+#[test]
+fn columns_buckle_at_the_published_loads() {
+    type Column = fn(u32, f64) -> Params;
+    let cone: Column = |n, load| {
+        let mut params = heavy_rod(90.0, load, n);
+        params.axis.taper = 0.0;
+        params
+    };
+    let pipes: Column = |n, load| piped_rod(90.0, 0.5 * load, n);
+    let uniform: Column = |n, load| heavy_rod(90.0, load, n);
+    let cuts = [80, 160, 320];
+    // A whole number of pipes makes the base one pipe thicker than the smooth taper: first order in 1 / n.
+    for (name, column, exact, powers) in [
+        ("uniform", uniform, 7.83734743894, [2, 4]),
+        ("pipes", pipes, 19.7392088022, [1, 2]),
+        ("cone", cone, 30.5298493637, [2, 4]),
+    ] {
+        let loads = cuts.map(|segments| critical(segments, |load| column(segments, load)));
+        let limit = extrapolated(&cuts, &loads, &powers);
+        println!("{name:7} lambda {limit:.6}, published {exact:.6}; K L^2 {:.6}", 0.5 * limit);
+        assert!((limit / exact - 1.0).abs() < 1e-3, "{name}: {limit} from {loads:?}");
+    }
+}

@@ -1,0 +1,210 @@
+/** axe finds nothing, in light and dark, wide and on a phone; the keyboard alone is enough. */
+import { createRequire } from "node:module";
+import type { AxeResults } from "axe-core";
+import type { Browser, Page } from "playwright";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { launchChromium } from "./chromium.ts";
+import { settled, visit } from "./visit.ts";
+
+const axePath = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launchChromium();
+});
+afterAll(() => browser.close());
+
+async function violations(page: Page): Promise<string[]> {
+  const { violations } = await page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: { run(): Promise<AxeResults> } };
+    return axe.run();
+  });
+  return violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`));
+}
+
+describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
+  it.each([
+    [1280, 800],
+    [390, 844],
+  ])("at %d x %d axe finds nothing, with everything open and something wrong", async (width, height) => {
+    const viewport = { width, height };
+    const { page } = await visit(browser, "?preset=figure-8b&zz=1", {
+      viewport,
+      colorScheme,
+      bypassCSP: true,
+    });
+    await page.addScriptTag({ path: axePath });
+    for (const summary of await page.locator("summary").all()) await summary.click();
+    await page.getByRole("button", { name: "About Gravity" }).click();
+    await page.getByRole("textbox", { name: /^Gravity/ }).fill("much");
+    await page.getByRole("textbox", { name: /^Gravity/ }).press("Enter");
+    await page.getByRole("alert").waitFor();
+    await settled(page);
+    expect(await violations(page)).toEqual([]);
+    // Coloured, with its legend; held, with the force; and with each dialog open.
+    await page.getByRole("combobox", { name: "Colour" }).selectOption("stress");
+    await page.getByRole("button", { name: "Take hold of the tip" }).click();
+    await page.locator(".pull data").waitFor({ state: "attached" });
+    await settled(page);
+    expect(await violations(page)).toEqual([]);
+    for (const name of ["Keys", "All plates"]) {
+      await page.getByRole("button", { name, exact: true }).click();
+      await page.getByRole("dialog", { name }).waitFor();
+      expect(await violations(page)).toEqual([]);
+      await page.keyboard.press("Escape");
+    }
+    await page.context().close();
+  });
+
+  it("nothing sticks out sideways on a narrow phone", async () => {
+    const { page } = await visit(browser, "?preset=figure-8b", {
+      viewport: { width: 320, height: 640 },
+      colorScheme,
+    });
+    const overflow = await page.evaluate(() => {
+      const panel = document.querySelector("#controls");
+      return [document.documentElement, panel].map((element) =>
+        element ? element.scrollWidth - element.clientWidth : Number.NaN,
+      );
+    });
+    expect(overflow).toEqual([0, 0]);
+    // Nor is any control of the view cut off.
+    const cut = await page.evaluate(() =>
+      [...document.querySelectorAll(".view button, .view select, .view input[type=range]")].flatMap(
+        (control) => {
+          const { left, right, width } = control.getBoundingClientRect();
+          return width > 0 && (left < 0 || right > innerWidth) ? [control.outerHTML.slice(0, 80)] : [];
+        },
+      ),
+    );
+    expect(cut).toEqual([]);
+    await page.context().close();
+  });
+});
+
+describe("by keyboard alone", () => {
+  /** What has the focus, as a person would name it. */
+  const focused = (page: Page) =>
+    page.evaluate(() => {
+      const element = document.activeElement;
+      if (!element || element === document.body) return "";
+      const [label] = (element as HTMLInputElement).labels ?? [];
+      const text = element.getAttribute("aria-label") ?? label?.textContent ?? element.textContent;
+      return (text ?? "").replace(/\s+/g, " ").trim();
+    });
+
+  /** Presses Tab until something has the focus; nothing else would lead a person there. */
+  async function tabTo(page: Page, name: string): Promise<void> {
+    const passed: string[] = [];
+    for (let press = 0; press < 120; press++) {
+      await page.keyboard.press("Tab");
+      const present = await focused(page);
+      if (present.startsWith(name)) return;
+      passed.push(present.slice(0, 40));
+    }
+    throw new Error(`Tab does not lead to ${name}: ${passed.join(" | ")}.`);
+  }
+
+  it("a person goes through the whole page", async () => {
+    const { page, problems } = await visit(browser);
+    const parameter = (key: string) => new URL(page.url()).searchParams.get(key);
+    // Past everything to the controls: a slider, and its box.
+    await tabTo(page, "Skip to the controls");
+    await page.keyboard.press("Enter");
+    expect(await page.evaluate(() => document.activeElement?.id)).toBe("controls");
+    await tabTo(page, "Elevation, slider");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Tab");
+    expect(await page.evaluate(() => document.activeElement?.id)).toBe("axis-elevation");
+    await page.keyboard.press("ArrowUp");
+    await settled(page);
+    expect(parameter("e")).toBe("52");
+    // A value typed, one refused and corrected, one explained, one reset.
+    await tabTo(page, "Segments");
+    await tabTo(page, "Segments");
+    await page.keyboard.press("ControlOrMeta+a");
+    await page.keyboard.type("many");
+    await page.keyboard.press("Enter");
+    await page.getByRole("alert").waitFor();
+    await page.keyboard.press("ControlOrMeta+a");
+    await page.keyboard.type("30");
+    await page.keyboard.press("Enter");
+    await settled(page);
+    expect(parameter("n")).toBe("30");
+    await tabTo(page, "About Segment length");
+    await page.keyboard.press("Enter");
+    await page.locator("#axis-segmentLength-help math").waitFor();
+    // A group opened, and a choice in it.
+    await tabTo(page, "Thickening");
+    await page.keyboard.press("Enter");
+    await tabTo(page, "None");
+    await page.keyboard.press("ArrowDown");
+    await settled(page);
+    expect(parameter("th")).toBe("pipes");
+    // From the top: undo, the list of keys, colour, style, view.
+    await page.keyboard.press("Control+z");
+    await page.waitForFunction(() => !location.search.includes("th="));
+    await tabTo(page, "Keys");
+    await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: "Keys" }).waitFor();
+    await page.keyboard.press("Escape");
+    expect(await focused(page)).toBe("Keys");
+    await tabTo(page, "The plant");
+    // The picture has the focus: the tip is taken, pulled, and let go of.
+    await page.keyboard.press("Enter");
+    await page.keyboard.press("ArrowDown");
+    await page.locator(".pull data").waitFor();
+    await page.keyboard.press("Escape");
+    await settled(page);
+    await tabTo(page, "Colour");
+    await page.keyboard.press("ArrowDown");
+    await settled(page);
+    expect(parameter("color")).toBe("moment");
+    await tabTo(page, "Limbs");
+    await page.keyboard.press("ArrowRight");
+    await tabTo(page, "Plane");
+    await page.keyboard.press("ArrowRight");
+    await settled(page);
+    expect([parameter("style"), parameter("view")]).toEqual(["model", "space"]);
+    // The age, and the loads.
+    await tabTo(page, "One step younger");
+    await page.keyboard.press("Enter");
+    await settled(page);
+    expect(parameter("step")).toBe("29");
+    await tabTo(page, "Take the loads off");
+    await page.keyboard.press(" ");
+    await settled(page);
+    expect(parameter("rm")).toBe("1");
+    // The gallery, and a plate in it.
+    await tabTo(page, "All plates");
+    await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: "All plates" }).waitFor();
+    await tabTo(page, "Figure 13 c");
+    await page.keyboard.press("Enter");
+    await settled(page);
+    expect(parameter("preset")).toBe("figure-13c");
+    expect(problems).toEqual([]);
+    await page.context().close();
+  });
+
+  it("every control that has the focus shows it", async () => {
+    const { page } = await visit(browser);
+    const unmarked = new Set<string>();
+    for (let press = 0; press < 40; press++) {
+      await page.keyboard.press("Tab");
+      const found = await page.evaluate(() => {
+        const focused = document.activeElement;
+        if (!focused || focused === document.body) return "";
+        const marks = [focused, focused.nextElementSibling, focused.parentElement].flatMap((element) => {
+          if (!element) return [];
+          const { outlineStyle, outlineWidth } = getComputedStyle(element);
+          return outlineStyle !== "none" && outlineWidth !== "0px" ? [element] : [];
+        });
+        return marks.length > 0 ? "" : focused.outerHTML.slice(0, 120);
+      });
+      if (found) unmarked.add(found);
+    }
+    expect([...unmarked]).toEqual([]);
+    await page.context().close();
+  });
+});

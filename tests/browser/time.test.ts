@@ -1,0 +1,103 @@
+/** The age in steps and at speeds, and the loads taken off. */
+import type { Browser, Page } from "playwright";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { launchChromium } from "./chromium.ts";
+import { Pixels } from "./pixels.ts";
+import { placeOf, query, readTip, settled, slider, visit } from "./visit.ts";
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launchChromium();
+});
+afterAll(() => browser.close());
+
+const age = (page: Page) => slider(page, "Age").inputValue();
+
+describe("the age", () => {
+  it("goes by single steps, by buttons and by keys, and stops at both ends", async () => {
+    const { page } = await visit(browser, "?step=2");
+    const younger = page.getByRole("button", { name: "One step younger" });
+    const older = page.getByRole("button", { name: "One step older" });
+    await older.click();
+    await settled(page);
+    expect([await age(page), query(page).get("step")]).toEqual(["3", "3"]);
+    await page.locator("#controls").focus();
+    await page.keyboard.press(",");
+    await page.keyboard.press(",");
+    await settled(page);
+    expect(await age(page)).toBe("1");
+    expect(await younger.isDisabled()).toBe(true);
+    await page.keyboard.press(",");
+    await settled(page);
+    expect(await age(page)).toBe("1");
+    await slider(page, "Age").press("End");
+    await settled(page);
+    expect(await older.isDisabled()).toBe(true);
+    // Steps can be undone like everything.
+    await page.goBack();
+    await page.waitForFunction(() => location.search.includes("step=1"));
+    await page.context().close();
+  });
+
+  it("is replayed at the speed that is chosen", async () => {
+    const { page } = await visit(browser);
+    const steps: number[] = [];
+    for (const speed of ["0.5", "4"]) {
+      await page.getByRole("combobox", { name: "Speed" }).selectOption(speed);
+      await page.getByRole("button", { name: "Watch it grow" }).click();
+      await page.waitForTimeout(700);
+      await page.getByRole("button", { name: "Pause" }).click();
+      await settled(page);
+      steps.push(Number(await age(page)));
+      await slider(page, "Age").press("End");
+      await settled(page);
+    }
+    // In 0.7 s, at 90 ms a step and speed 1: 4 against 31 steps, less where the machine is slow.
+    expect(steps[0]).toBeLessThan(12);
+    expect(steps[1]).toBeGreaterThan(2 * (steps[0] ?? 0));
+    await page.context().close();
+  });
+});
+
+describe("the loads", () => {
+  it("are taken off: the plant rises through the shapes between, stays bent, and the link says so", async () => {
+    const { page, problems } = await visit(browser, "?preset=figure-17c&step=39", {
+      reducedMotion: "no-preference",
+    });
+    const loaded = await readTip(page);
+    const before = await page.evaluate(() => window.seen.drawn);
+    const off = page.getByRole("switch", { name: "Take the loads off" });
+    expect(await off.getAttribute("aria-checked")).toBe("false");
+    await off.click();
+    await page.waitForFunction(() => location.search.includes("rm=1"));
+    await settled(page);
+    expect(await off.getAttribute("aria-checked")).toBe("true");
+    expect(await page.evaluate((drawn) => window.seen.drawn - drawn, before)).toBeGreaterThan(4);
+    const free = await readTip(page);
+    const up = (text: string) => Number(/([\d.]+) cm up/.exec(text)?.[1]);
+    expect(up(free)).toBeGreaterThan(up(loaded));
+    // Straight at 50 degrees its tip would be 1.1 m up.
+    expect(up(free)).toBeLessThan(105);
+    await page.goBack();
+    await page.waitForFunction(() => !location.search.includes("rm=1"));
+    await settled(page);
+    expect(await readTip(page)).toBe(loaded);
+    expect(problems).toEqual([]);
+    await page.context().close();
+  });
+
+  it("are put on and off by a key, and the picture shows it", async () => {
+    const { page } = await visit(browser, "?preset=figure-8d");
+    await page.locator("#controls").focus();
+    await page.keyboard.press("l");
+    await settled(page);
+    // Without memory it is straight again: there is wood at half of its length, in its first direction.
+    const { x, y } = await placeOf(page, [0.482, 0.5745, 0]);
+    expect((await Pixels.of(page)).wood(x, y, 3)).toBeGreaterThan(0.5);
+    await page.keyboard.press("l");
+    await settled(page);
+    const old = await placeOf(page, [0.482, 0.5745, 0]);
+    expect((await Pixels.of(page)).wood(old.x, old.y, 3)).toBe(0);
+    await page.context().close();
+  });
+});

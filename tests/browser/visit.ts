@@ -1,0 +1,116 @@
+/** A person's visit to the built page in real Chromium. */
+import type { Browser, BrowserContextOptions, Locator, Page } from "playwright";
+import { inject } from "vitest";
+import type { Drawn } from "../../web/src/scene/stage.ts";
+
+export interface Visit {
+  readonly page: Page;
+  /** Everything that went wrong: console errors and warnings, exceptions, failed requests, requests to other hosts. */
+  readonly problems: string[];
+}
+
+declare global {
+  interface Window {
+    /** Put there by the tests: pictures drawn and animation frames asked for so far, and what the last picture told. */
+    seen: { drawn: number; frames: number; last: Drawn | null };
+  }
+}
+
+const desktop = { width: 1280, height: 800 };
+
+/** Opens the page at a link and waits until the plant stands still. Motion is unwelcome unless the options say otherwise. */
+export async function visit(
+  browser: Browser,
+  query = "",
+  options: BrowserContextOptions = {},
+): Promise<Visit> {
+  const context = await browser.newContext({ viewport: desktop, reducedMotion: "reduce", ...options });
+  const page = await context.newPage();
+  const problems = listen(page);
+  await page.addInitScript(watch);
+  await page.goto(new URL(query, inject("site")).href);
+  await settled(page);
+  return { page, problems };
+}
+
+/** Notes what goes wrong on a page. */
+export function listen(page: Page): string[] {
+  const problems: string[] = [];
+  const site = new URL(inject("site")).origin;
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) problems.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => problems.push(`exception: ${error.stack}`));
+  page.on("requestfailed", (request) => problems.push(`failed: ${request.url()}`));
+  page.on("response", (response) => {
+    if (response.status() >= 400) problems.push(`${response.status()}: ${response.url()}`);
+  });
+  page.on("request", (request) => {
+    const { origin, protocol } = new URL(request.url());
+    if (origin !== site && !["data:", "blob:"].includes(protocol))
+      problems.push(`elsewhere: ${request.url()}`);
+  });
+  return problems;
+}
+
+/** Runs in the page before its own code. */
+function watch(): void {
+  window.seen = { drawn: 0, frames: 0, last: null };
+  const request = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (callback) => {
+    window.seen.frames++;
+    return request(callback);
+  };
+  document.addEventListener("bough-drawn", (event) => {
+    window.seen.drawn++;
+    window.seen.last = (event as CustomEvent<Drawn>).detail;
+  });
+}
+
+/** Waits until all that was entered is computed and drawn. */
+export async function settled(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.documentElement.dataset.settled === "true");
+}
+
+/** Where a point of the world (m) is drawn, in px of the page. */
+export async function placeOf(page: Page, [x, y, z]: readonly number[]): Promise<{ x: number; y: number }> {
+  const last = await page.evaluate(() => window.seen.last);
+  const box = await page.locator("canvas.picture").boundingBox();
+  if (!last || !box) throw new Error("Nothing was drawn.");
+  const row = (k: number) =>
+    (last.projection[k] ?? 0) * (x ?? 0) +
+    (last.projection[k + 4] ?? 0) * (y ?? 0) +
+    (last.projection[k + 8] ?? 0) * (z ?? 0) +
+    (last.projection[k + 12] ?? 0);
+  return {
+    x: box.x + box.width * (0.5 + (0.5 * row(0)) / row(3)),
+    y: box.y + box.height * (0.5 - (0.5 * row(1)) / row(3)),
+  };
+}
+
+/** The measured tip, as the page states it. */
+export async function readTip(page: Page): Promise<string> {
+  return page.locator(".readout dd").nth(1).innerText();
+}
+
+/** The query of the page's address. */
+export function query(page: Page): URLSearchParams {
+  return new URL(page.url()).searchParams;
+}
+
+/** The box with this label. */
+export function box(page: Page, name: RegExp | string): Locator {
+  return page.getByRole("textbox", { name });
+}
+
+/** The slider with this label. */
+export function slider(page: Page, name: string): Locator {
+  return page.getByRole("slider", { name });
+}
+
+/** Types something into a box, and waits for what comes of it. */
+export async function type(page: Page, name: RegExp | string, text: string): Promise<void> {
+  await box(page, name).fill(text);
+  await box(page, name).press("Enter");
+  await settled(page);
+}

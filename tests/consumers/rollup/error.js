@@ -1,0 +1,1 @@
+export { BoughError } from "bough";

@@ -1,0 +1,44 @@
+// Chromium visits a consumer's page and brings back its report.
+
+import { launchChromium } from "../chromium.mjs";
+import { Obstacle } from "../obstacle.mjs";
+
+export class Visitor {
+  /** @type {Promise<import("playwright").Browser> | undefined} */
+  #browser;
+
+  /**
+   * @param {string} address
+   * @param {object} [options]
+   * @param {RegExp} [options.expected] errors on the console that are part of the case
+   * @param {string} [options.text] selector of an element whose text comes back as well
+   * @returns {Promise<{ report: string, text: string }>} what the page put into `globalThis.report`
+   */
+  async visit(address, { expected = /^$/, text } = {}) {
+    this.#browser ??= launchChromium();
+    const context = await (await this.#browser).newContext();
+    const page = await context.newPage();
+    /** @type {string[]} */
+    const problems = [];
+    page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
+    page.on("console", (message) => {
+      if (message.type() === "error") problems.push(`${message.text()} ${message.location().url}`);
+    });
+    try {
+      await page.goto(address);
+      await page.waitForFunction(() => "report" in globalThis, undefined, { timeout: 30_000 });
+      const report = await page.evaluate(() => Reflect.get(globalThis, "report"));
+      const unexpected = problems.filter((problem) => !expected.test(problem));
+      if (unexpected.length > 0) throw new Obstacle(unexpected.join("\n"));
+      return { report, text: text ? await page.locator(text).innerText() : "" };
+    } catch (error) {
+      throw new Obstacle(`The page failed: ${error}`, { output: problems.join("\n") });
+    } finally {
+      await context.close();
+    }
+  }
+
+  async close() {
+    await (await this.#browser)?.close();
+  }
+}

@@ -1,0 +1,81 @@
+// Clean folders outside the repository, each with one consumer and the packed tarball that it installs.
+
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { npm } from "../commands.mjs";
+import { packageFolder, root } from "../paths.mjs";
+import { runCommand } from "../run-command.mjs";
+
+const fixtures = join(root, "tests", "consumers");
+
+export class Workshop {
+  #folder = mkdtempSync(join(tmpdir(), "bough-consumers-"));
+  #tarball = "";
+
+  /** Packs what lies in dist/package. */
+  async open() {
+    this.#tarball = await this.#pack(root, "bough.tgz");
+  }
+
+  /**
+   * A folder with a consumer, its packages installed.
+   * @param {string} fixture a folder in tests/consumers
+   * @param {Record<string, string>} [packages] versions of packages it needs besides its own
+   */
+  async install(fixture, packages = {}) {
+    const folder = mkdtempSync(join(this.#folder, `${fixture}-`));
+    cpSync(join(fixtures, fixture), folder, { recursive: true });
+    cpSync(join(fixtures, "program.js"), join(folder, "program.js"));
+    cpSync(this.#tarball, join(folder, "bough.tgz"));
+    writeFileSync(join(folder, "fingerprint.js"), await plainFingerprint());
+    const manifest = join(folder, "package.json");
+    const content = JSON.parse(readFileSync(manifest, "utf8"));
+    if (content.dependencies["bough-next"]) await this.#packNext(folder);
+    writeFileSync(
+      manifest,
+      JSON.stringify({ ...content, devDependencies: { ...content.devDependencies, ...packages } }),
+    );
+    const quietly = ["--no-audit", "--no-fund", "--no-package-lock", "--prefer-offline"];
+    await runCommand(`installing ${fixture}`, [...npm(), "install", ...quietly], { cwd: folder, limit: 600 });
+    return folder;
+  }
+
+  close() {
+    rmSync(this.#folder, { recursive: true, force: true });
+  }
+
+  /**
+   * The package as a later version, which differs in nothing but its number.
+   * @param {string} folder
+   */
+  async #packNext(folder) {
+    const copy = mkdtempSync(join(this.#folder, "next-"));
+    const { version, ...manifest } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+    const later = `${version}-next`;
+    writeFileSync(join(copy, "package.json"), JSON.stringify({ ...manifest, version: later }));
+    cpSync(packageFolder, join(copy, "dist", "package"), { recursive: true });
+    const declaration = join(copy, "dist", "package", "generated", "declaration.js");
+    writeFileSync(declaration, readFileSync(declaration, "utf8").replace(`"${version}"`, `"${later}"`));
+    cpSync(await this.#pack(copy, "bough-next.tgz"), join(folder, "bough-next.tgz"));
+  }
+
+  /**
+   * @param {string} source
+   * @param {string} name
+   */
+  async #pack(source, name) {
+    const into = mkdtempSync(join(this.#folder, "tarball-"));
+    const pack = [...npm(), "pack", "--silent", "--pack-destination", into];
+    const printed = await runCommand(`packing ${name}`, pack, { cwd: source });
+    return join(into, printed.trim().split("\n").at(-1) ?? "");
+  }
+}
+
+/** tests/fingerprint.ts as plain JavaScript. */
+async function plainFingerprint() {
+  const { default: ts } = await import("typescript");
+  const source = readFileSync(join(root, "tests", "fingerprint.ts"), "utf8");
+  const compilerOptions = { target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.ESNext };
+  return ts.transpileModule(source, { compilerOptions }).outputText;
+}

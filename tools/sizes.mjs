@@ -1,0 +1,64 @@
+// What visitors and users download, compressed, against its budget.
+
+import { spawnSync } from "node:child_process";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { npm } from "./commands.mjs";
+import { Obstacle } from "./obstacle.mjs";
+import { packageFolder, root, site } from "./paths.mjs";
+
+export function checkSizes() {
+  if (!existsSync(join(site, "index.html")) || !existsSync(packageFolder)) {
+    throw new Obstacle("There is nothing to measure yet.", { remedy: "npm run build" });
+  }
+  const wasm = compressed(wasmFiles());
+  const rows = [
+    { what: "wasm", size: wasm, wished: 40, most: 60 },
+    {
+      what: "explorer up to the first plant",
+      size: wasm + compressed(initialFiles()),
+      wished: 255,
+      most: 255,
+    },
+    { what: "npm tarball", size: tarballSize(), wished: 150, most: 150 },
+  ];
+  console.log(tableRow("kB, compressed", "size", "wished", "at most"));
+  for (const { what, size, wished, most } of rows) {
+    console.log(tableRow(what, (size / 1000).toFixed(1), String(wished), String(most)));
+  }
+  const tooLarge = rows.filter(({ size, most }) => size > most * 1000).map(({ what }) => what);
+  if (tooLarge.length > 0) throw new Obstacle(`Over budget: ${tooLarge.join(", ")}.`);
+}
+
+/** @param {[what: string, ...numbers: string[]]} cells */
+function tableRow(...[what, ...numbers]) {
+  return what.padEnd(34) + numbers.map((number) => number.padStart(9)).join("");
+}
+
+/** The page, what its tags load (Vite lists there every script that is imported statically), and the worker that grows. */
+function initialFiles() {
+  const page = readFileSync(join(site, "index.html"), "utf8");
+  const tagged = [...page.matchAll(/<(?:script|link)\b[^>]*?(?:src|href)="\.\/([^"]+\.(?:js|css))"/g)];
+  const workers = assets().filter((file) => /worker.*\.js$/.test(file));
+  return ["index.html", ...tagged.map(([, file = ""]) => file), ...workers];
+}
+
+function wasmFiles() {
+  return assets().filter((file) => file.endsWith(".wasm"));
+}
+
+function assets() {
+  return readdirSync(join(site, "assets")).map((file) => join("assets", file));
+}
+
+/** @param {readonly string[]} files of the site */
+function compressed(files) {
+  return files.reduce((sum, file) => sum + gzipSync(readFileSync(join(site, file)), { level: 9 }).length, 0);
+}
+
+function tarballSize() {
+  const [command = "", ...args] = [...npm(), "pack", "--dry-run", "--json"];
+  const { stdout } = spawnSync(command, args, { cwd: root, encoding: "utf8" });
+  return JSON.parse(stdout)[0].size;
+}

@@ -1,0 +1,50 @@
+// What takes too long for every check: each shard is passed or not on its own, and leaves lines of evidence.
+
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { cargo } from "../commands.mjs";
+import { matrix } from "../consumers/matrix.mjs";
+import { runMatrix } from "../consumers/run-matrix.mjs";
+import { packageFolder, root, rustCore } from "../paths.mjs";
+import { runCommand } from "../run-command.mjs";
+import { leastRust } from "../setup/rust.mjs";
+
+/**
+ * @typedef {object} Shard
+ * @property {string} job which file in docs/evidence it belongs to
+ * @property {string} name
+ * @property {() => Promise<string>} run what it found, in a few words
+ */
+
+/** @type {readonly Shard[]} */
+export const shards = [
+  ...matrix.map((consumer) => ({
+    job: "consumers",
+    name: consumer.name,
+    run: async () => {
+      await runMatrix([consumer]);
+      return "";
+    },
+  })),
+  { job: "memory", name: "a million plants", run: memory },
+  { job: "rust", name: "the oldest Rust that is promised", run: oldestRust },
+];
+
+async function memory() {
+  const entry = pathToFileURL(join(packageFolder, "src", "package", "node.js")).href;
+  const script = join(root, "tests", "soak", "memory.mjs");
+  const [calls, failing] = ["1000000", "100000"];
+  const command = [process.execPath, "--expose-gc", script, entry, calls, failing];
+  return runCommand("a million plants in one process", command);
+}
+
+/** In a target folder of its own: the check's stays warm. */
+async function oldestRust() {
+  const toolchain = `+${leastRust()}`;
+  const folder = ["--target-dir", join(rustCore, "target", "oldest")];
+  const [command = "", ...test] = cargo("test", ["--package", "bough-plant", ...folder]);
+  await runCommand(`the core's tests with Rust ${leastRust()}`, [command, toolchain, ...test], {
+    remedy: `rustup toolchain install ${leastRust()} --profile minimal`,
+  });
+  return `the core's tests pass with Rust ${leastRust()}`;
+}

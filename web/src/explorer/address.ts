@@ -1,0 +1,83 @@
+/** The address bar: it always holds the link to what is shown, and Back undoes. */
+import { read, write } from "../params/link.ts";
+import { sameState } from "../params/state.ts";
+import type { Change, Store } from "../params/store.ts";
+
+/** Browsers refuse more than about 100 changes of the address in 30 s. ms */
+const pause = 400;
+
+/** Each entry of the browser's history knows its number since the page was first opened. */
+interface Entry {
+  readonly bough: number;
+}
+
+export class Address {
+  readonly #store: Store;
+  /** Link to the state before the gesture that is going on. */
+  #settled: string;
+  #at: number;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #follows = false;
+
+  constructor(store: Store) {
+    this.#store = store;
+    this.#settled = write(store.state);
+    this.#at = entryNumber(history.state) ?? 0;
+    history.replaceState({ bough: this.#at } satisfies Entry, "");
+    store.subscribe((_, change) => this.#write(change));
+    addEventListener("popstate", (event) => this.#follow(entryNumber(event.state)));
+  }
+
+  /** The complete link to what is shown. */
+  get link(): string {
+    return new URL(write(this.#store.state), location.href).href;
+  }
+
+  /** Undoes the last step: the same as the browser's Back. */
+  undo(): void {
+    this.#store.set({}, "settled");
+    if (this.#store.canUndo) history.back();
+  }
+
+  /** Takes back the last undo: the same as the browser's Forward. */
+  redo(): void {
+    if (this.#store.canRedo) history.forward();
+  }
+
+  #write(change: Change): void {
+    if (this.#follows) return;
+    clearTimeout(this.#timer);
+    if (change === "dragging") {
+      this.#timer = setTimeout(() => this.#replace(write(this.#store.state)), pause);
+      return;
+    }
+    // While dragging, the entry of the state before was written over: it gets its link back.
+    this.#replace(this.#settled);
+    this.#settled = write(this.#store.state);
+    this.#at++;
+    history.pushState({ bough: this.#at } satisfies Entry, "", this.#settled);
+  }
+
+  #replace(link: string): void {
+    history.replaceState({ bough: this.#at } satisfies Entry, "", link);
+  }
+
+  /** The browser went to an entry: so does the store, by its own memory where that reaches, else by the link. */
+  #follow(number: number | undefined): void {
+    if (number === undefined) return;
+    clearTimeout(this.#timer);
+    this.#follows = true;
+    for (; this.#at > number && this.#store.canUndo; this.#at--) this.#store.undo();
+    for (; this.#at < number && this.#store.canRedo; this.#at++) this.#store.redo();
+    const { state } = read(location.search);
+    if (!sameState(state, this.#store.state)) this.#store.set(state, "settled");
+    this.#at = number;
+    this.#settled = write(this.#store.state);
+    this.#follows = false;
+  }
+}
+
+function entryNumber(state: unknown): number | undefined {
+  const number = (state as Entry | null)?.bough;
+  return typeof number === "number" ? number : undefined;
+}

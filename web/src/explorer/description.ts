@@ -1,0 +1,60 @@
+/** The plant in words: what the picture shows, for readers and for those who do not see it. */
+import { quantityText } from "../form/quantity.ts";
+import { measure } from "../geometry/measure.ts";
+import type { Plant, Report } from "../plant/plant.ts";
+
+/** What the gravity number means for an axis. */
+export function gravitySentence(q: number): string {
+  if (q === 0) return "Nothing weighs on the axis.";
+  if (q < 0.5) return "Stiffness rules: the axis hardly feels its weight.";
+  if (q < 3) return "Its weight bends the axis a little.";
+  if (q < 12) return "Weight and stiffness are a match: the axis arches.";
+  if (q < 50) return "Weight rules: the tip hangs.";
+  return "The axis hangs almost like a rope.";
+}
+
+/** How trustworthy the shape is. */
+export function solverSentence({ status, stable, residual }: Report): string {
+  const left = `${residual.toExponential(0).replace("-", "−")} of the largest torque is left over`;
+  switch (status) {
+    case "converged":
+      if (stable === false)
+        return `An equilibrium, but an unstable one: the least push would tip it (${left}).`;
+      return `In stable equilibrium (${left}).`;
+    case "maxIterations":
+      return `Not in equilibrium: the solver ran out of iterations (${left}).`;
+    case "nonFinite":
+      return "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.";
+    case "budget":
+      return `Not in equilibrium: the solver ran out of time (${left}).`;
+  }
+}
+
+/** The whole plant in a few sentences. */
+export function describe(plant: Plant): string {
+  const { params, segments, polylines, report } = plant;
+  const { tip, length, tipElevation } = measure(plant);
+  const [x, y] = tip;
+  const [count, axes] = [segments.parent.length, polylines.offsets.length - 1];
+  const parts = `${count} ${count === 1 ? "segment" : "segments"}`;
+  const whole = axes === 1 ? `An axis of ${parts}` : `${axes} axes of ${parts} in all; the main one`;
+  const sideways = `${size(x)} to the ${x < 0 ? "left" : "right"}`;
+  const upwards = `${size(y)} ${y < 0 ? "below" : "above"} it`;
+  return [
+    `${whole}, ${size(length)} long, leaves its base at ${angle(params.axis.elevation)}.`,
+    `Its tip is ${sideways} of the base and ${upwards}, and points ${angle(tipElevation)}.`,
+    `${gravitySentence(report.gravityNumber)} ${solverSentence(report)}`,
+  ].join(" ");
+}
+
+/** A direction as people say it: "20° below the horizontal". */
+export function angle(elevation: number): string {
+  const degrees = Math.round(Math.abs(elevation));
+  if (degrees === 0) return "along the horizontal";
+  if (degrees === 90) return elevation > 0 ? "straight up" : "straight down";
+  return `${degrees}° ${elevation < 0 ? "below" : "above"} the horizontal`;
+}
+
+function size(value: number): string {
+  return quantityText(Math.abs(value), "m");
+}

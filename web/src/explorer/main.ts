@@ -1,0 +1,6 @@
+/** Where the page begins. */
+import { startEngine } from "../engine/engine.ts";
+import { Explorer } from "./explorer.ts";
+
+const root = document.querySelector<HTMLElement>("#page");
+if (root) void new Explorer(root).start(startEngine);

@@ -1,0 +1,34 @@
+/** What can be measured on the plant. */
+import { html, nothing, type TemplateResult } from "lit";
+import { quantityText } from "../form/quantity.ts";
+import { measure } from "../geometry/measure.ts";
+import { angle, gravitySentence, solverSentence } from "./description.ts";
+import type { Model } from "./model.ts";
+
+export function readout({ plant, pull }: Model): TemplateResult | typeof nothing {
+  if (!plant) return nothing;
+  const { tip, length, tipElevation } = measure(plant);
+  const { report } = plant;
+  // What is a millionth of the axis is round-off.
+  const place = (value: number) =>
+    quantityText(Math.abs(value) < 1e-6 * length ? 0 : value, "m").replace("-", "−");
+  const sound = report.status === "converged" && (report.stable !== false || pull !== null);
+  return html`<section class="readout" aria-labelledby="readout-title">
+    <h2 id="readout-title">Measured</h2>
+    <dl>
+      <div><dt>Length</dt><dd>${quantityText(length, "m")}</dd></div>
+      <div>
+        <dt>Tip</dt>
+        <dd>${place(tip[0])} across, ${place(Math.abs(tip[1]))} ${tip[1] < 0 ? "down" : "up"} <small>pointing ${angle(tipElevation)}</small></dd>
+      </div>
+      <div>
+        <dt><abbr title="weight times length squared over bending stiffness, at the base">Gravity number</abbr> <i class="symbol">q</i></dt>
+        <dd>${quantityText(report.gravityNumber, "")} <small>${gravitySentence(report.gravityNumber)}</small></dd>
+      </div>
+      <div class=${sound ? "" : "unsound"}>
+        <dt>Solution</dt>
+        <dd>${!pull || report.stable !== false ? solverSentence(report) : "In equilibrium while it is held; the same force as a load would make it snap through."}</dd>
+      </div>
+    </dl>
+  </section>`;
+}

@@ -1,0 +1,66 @@
+/** The age: scrub it, step it, or watch the plant grow; and take the loads off. */
+import { html, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import { stepsOf } from "../params/params.ts";
+import { type Icon, icon } from "./icons.ts";
+import type { Actions, Model } from "./model.ts";
+import { type Speed, speeds } from "./playback.ts";
+
+export function timeline({ state, plant, grown, plays, speed }: Model, actions: Actions): TemplateResult {
+  const last = grown?.report.steps ?? stepsOf(state.params);
+  // While it plays the age runs ahead of the state.
+  const step = Math.min(last, plays ? (plant?.report.steps ?? last) : (state.step ?? last));
+  const enter = (how: "dragging" | "settled") => (event: Event) => {
+    const entered = (event.target as HTMLInputElement).valueAsNumber;
+    actions.change({ step: entered >= last ? null : entered }, how);
+  };
+  const playLabel = plays ? "Pause" : "Watch it grow";
+  return html`<div class="timeline" role="group" aria-label="Age">
+    <div class="transport">
+      ${tool("back", "One step younger", () => actions.age(-1), step <= 1)}
+      <button type="button" class="tool play" title=${playLabel} aria-label=${playLabel} @click=${actions.togglePlay}>
+        ${icon(plays ? "pause" : "play")}
+      </button>
+      ${tool("forward", "One step older", () => actions.age(1), step >= last)}
+    </div>
+    <label for="age">Age</label>
+    <input
+      id="age"
+      type="range"
+      min="1"
+      max=${last}
+      step="1"
+      .value=${live(String(step))}
+      aria-valuetext="growth step ${step} of ${last}"
+      @input=${enter("dragging")}
+      @change=${enter("settled")}
+      @pointerup=${enter("settled")}
+    />
+    <output for="age">${step} <span class="of">of ${last}</span></output>
+    <select
+      class="speed"
+      aria-label="Speed"
+      title="Speed of the replay"
+      @change=${(event: Event) => actions.setSpeed(Number((event.target as HTMLSelectElement).value) as Speed)}
+    >
+      ${speeds.map((one) => html`<option value=${one} ?selected=${one === speed}>${one}×</option>`)}
+    </select>
+    <button
+      type="button"
+      class="unload"
+      role="switch"
+      aria-checked=${state.params.loads.removed}
+      aria-label="Take the loads off"
+      title="Take the loads off after growth, and see what stays bent"
+      @click=${actions.toggleLoads}
+    >
+      ${icon("loads")}<span>Loads off</span>
+    </button>
+  </div>`;
+}
+
+function tool(name: Icon, label: string, act: () => void, disabled: boolean): TemplateResult {
+  return html`<button type="button" class="tool step" title=${label} aria-label=${label} ?disabled=${disabled} @click=${act}>
+    ${icon(name)}
+  </button>`;
+}

@@ -1,0 +1,300 @@
+/** The control of one parameter: native elements, with symbol, unit, help, reset, and what is wrong with the last entry. */
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import type { Parameter, Value, Vector } from "../params/declaration.ts";
+import type { Issue } from "../params/issue.ts";
+import { sameValue } from "../params/params.ts";
+import type { Entry } from "./entry.ts";
+import type { Equation } from "./equations.ts";
+import { quantityText, read, unitText } from "./quantity.ts";
+import { travelOf } from "./travel.ts";
+import { nameOf } from "./words.ts";
+
+/** `<bough-field>`: dispatches `bough-enter`. It renders into the page itself, so that the page's styles and labels reach it. */
+export class BoughField extends LitElement {
+  static override properties = {
+    parameter: { attribute: false },
+    value: { attribute: false },
+    baseline: { attribute: false },
+    issue: { attribute: false },
+    draft: { state: true },
+    entered: { state: true },
+    explained: { state: true },
+    equation: { state: true },
+  };
+
+  /** What is controlled. */
+  declare parameter: Parameter;
+  /** The value in force. */
+  declare value: Value;
+  /** What a reset brings back. */
+  declare baseline: Value;
+  /** What is wrong with the last entry, which then stays in the box. */
+  declare issue: Issue | undefined;
+  /** Text in the boxes that is not (yet) a value in force, by the number of the box. */
+  declare draft: Readonly<Record<number, string>>;
+  /** What was entered and not yet judged: it is shown until it is the value in force, or has an issue. */
+  declare entered: Value | undefined;
+  declare explained: boolean;
+  /** The equation that the parameter enters, once help was wanted and if there is one. */
+  declare equation: Equation | undefined;
+
+  constructor() {
+    super();
+    this.draft = {};
+    this.explained = false;
+  }
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  protected override willUpdate(changed: Map<PropertyKey, unknown>): void {
+    // A value that came from elsewhere, or an entry that was good, makes the draft pointless.
+    const { value } = this;
+    if (changed.has("value") && !sameValue(changed.get("value") as Value, value) && !this.issue)
+      this.draft = {};
+    if (changed.has("issue") && changed.get("issue") && !this.issue) this.draft = {};
+    const isRefused = changed.has("issue") && this.issue !== undefined;
+    if (isRefused || (this.entered !== undefined && sameValue(this.entered, value))) this.entered = undefined;
+  }
+
+  /** The value that is shown. */
+  get #present(): Value {
+    const { entered, value } = this;
+    const isText = [entered].flat().some((part) => typeof part === "string") && typeof value !== "string";
+    return entered === undefined || isText ? value : entered;
+  }
+
+  protected override render(): TemplateResult {
+    const { parameter, issue } = this;
+    const value = this.#present;
+    const { label, symbol, help, source } = parameter;
+    const id = this.#id;
+    const name = html`<span class="label">${label}</span>${symbol ? html` <i class="symbol">${symbolText(symbol)}</i>` : nothing}`;
+    const isGroup = parameter.kind === "vector" || parameter.kind === "choice";
+    return html`<div
+      class="field ${parameter.kind}"
+      role=${isGroup ? "group" : nothing}
+      aria-labelledby=${isGroup ? `${id}-name` : nothing}
+    >
+      <div class="heading">
+        ${
+          isGroup
+            ? html`<span id="${id}-name" class="name">${name}</span>`
+            : html`<label id="${id}-name" class="name" for=${id}>${name}</label>`
+        }
+        <output class="reading" for=${id}>${typeof value === "number" ? this.#reading(value) : nothing}</output>
+        ${
+          sameValue(value, this.baseline) && !issue
+            ? nothing
+            : html`<button type="button" class="reset" @click=${this.#reset} title="Reset ${label}" aria-label="Reset ${label}">${resetIcon}</button>`
+        }
+        <button
+          type="button"
+          class="explain"
+          aria-expanded=${this.explained}
+          aria-controls="${id}-help"
+          aria-label="About ${label}"
+          @click=${() => this.#explain()}
+        >?</button>
+      </div>
+      <div class="entry">${this.#control(value)}</div>
+      ${issue ? html`<p class="issue" id="${id}-issue" role="alert">${worded(issue, parameter)}</p>` : nothing}
+      <div class="help" id="${id}-help" ?hidden=${!this.explained}>
+        <p>${help}</p>
+        ${this.#equation()}
+        <p><small>${source.charAt(0).toUpperCase()}${source.slice(1)}.</small></p>
+      </div>
+    </div>`;
+  }
+
+  #equation(): TemplateResult | typeof nothing {
+    if (!this.equation) return nothing;
+    const { caption, mathml } = this.equation;
+    return html`<figure><figcaption>${caption}</figcaption><div .innerHTML=${mathml}></div></figure>`;
+  }
+
+  #explain(): void {
+    this.explained = !this.explained;
+    void import("./equations.ts").then(({ equations }) => {
+      this.equation = equations[this.parameter.path];
+    });
+  }
+
+  get #id(): string {
+    return this.parameter.path.replace(".", "-");
+  }
+
+  /** The value as people say it, where that differs from what is in the box. */
+  #reading(value: number): string {
+    const { unit } = this.parameter;
+    const text = quantityText(value, unit);
+    const boxed = `${plain(value)}${unit === "deg" ? "" : " "}${unitText(unit)}`;
+    return text === boxed.trim() ? "" : text;
+  }
+
+  #control(value: Value): TemplateResult {
+    if (typeof value === "number") return html`${this.#slider(value)}${this.#box(0, value, "")}`;
+    if (typeof value === "boolean") return this.#checkbox(value);
+    if (typeof value === "string") return this.#choices(value);
+    const axes = ["x", "y", "z"];
+    return html`${value.map((number, k) => html`<label class="part">${axes[k]} ${this.#box(k, number, `${this.parameter.label}, ${axes[k]}`)}</label>`)}`;
+  }
+
+  #slider(value: number): TemplateResult {
+    const travel = travelOf(this.parameter);
+    const { label, unit } = this.parameter;
+    // A drag that ends where it began is no change to the browser, but it ends: hence pointerup.
+    const enter = (how: Entry["how"]) => (event: Event) => {
+      this.draft = {};
+      this.#enter(travel.value((event.target as HTMLInputElement).valueAsNumber), how);
+    };
+    return html`<input
+      type="range"
+      min=${travel.min}
+      max=${travel.max}
+      step=${travel.step}
+      .value=${live(String(travel.position(value)))}
+      aria-label="${label}, slider"
+      aria-valuetext=${quantityText(value, unit)}
+      @input=${enter("dragging")}
+      @change=${enter("settled")}
+      @pointerup=${enter("settled")}
+    />`;
+  }
+
+  #box(index: number, value: number, name: string): TemplateResult {
+    const { issue, parameter } = this;
+    const id = this.#id;
+    return html`<span class="box"
+      ><input
+        type="text"
+        inputmode="decimal"
+        autocomplete="off"
+        spellcheck="false"
+        id=${index === 0 ? id : `${id}-${index}`}
+        aria-label=${name || nothing}
+        aria-invalid=${issue ? "true" : nothing}
+        aria-describedby=${issue ? `${id}-issue` : nothing}
+        .value=${live(this.draft[index] ?? plain(value))}
+        @input=${(event: Event) => {
+          this.draft = { ...this.draft, [index]: (event.target as HTMLInputElement).value };
+        }}
+        @change=${() => this.#commit(index)}
+        @keydown=${(event: KeyboardEvent) => this.#key(event, index, value)}
+      /><span class="unit">${unitText(parameter.unit)}</span></span
+    >`;
+  }
+
+  #checkbox(value: boolean): TemplateResult {
+    return html`<input
+      type="checkbox"
+      id=${this.#id}
+      .checked=${live(value)}
+      aria-describedby=${this.issue ? `${this.#id}-issue` : nothing}
+      @change=${(event: Event) => this.#enter((event.target as HTMLInputElement).checked, "settled")}
+    />`;
+  }
+
+  #choices(value: string): TemplateResult {
+    const { options = [], path } = this.parameter;
+    return html`${options.map(
+      (option) => html`<label class="option"
+        ><input
+          type="radio"
+          name=${path}
+          value=${option}
+          .checked=${live(option === value)}
+          @change=${() => this.#enter(option, "settled")}
+        />${nameOf(option)}</label
+      >`,
+    )}`;
+  }
+
+  #key(event: KeyboardEvent, index: number, value: number): void {
+    if (event.key === "Enter") this.#commit(index);
+    if (event.key === "Escape" && this.draft[index] !== undefined) {
+      event.stopPropagation();
+      this.#reset(this.value);
+    }
+    const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+    if (steps === undefined) return;
+    event.preventDefault();
+    const travel = travelOf(this.parameter);
+    this.draft = {};
+    this.#enterNumber(index, travel.value(travel.position(value) + steps * travel.step), "settled");
+  }
+
+  /** Takes what stands in a box. */
+  #commit(index: number): void {
+    const text = this.draft[index];
+    if (text === undefined) return;
+    const entered = read(text, this.parameter.unit);
+    // The same number again changes nothing: the box just shows it plainly.
+    if (entered === this.#number(index) && !this.issue) this.draft = {};
+    else this.#enterNumber(index, entered, "settled");
+  }
+
+  #number(index: number): number | undefined {
+    const { value } = this;
+    return Array.isArray(value) ? value[index] : typeof value === "number" ? value : undefined;
+  }
+
+  #enterNumber(index: number, entered: number | string, how: Entry["how"]): void {
+    const { value } = this;
+    if (!Array.isArray(value)) {
+      this.#enter(entered, how);
+      return;
+    }
+    // Boxes that still hold a refused entry count with what stands in them.
+    const parts = value.map((number, k) => {
+      const text = this.draft[k];
+      return k === index ? entered : text === undefined ? number : read(text, this.parameter.unit);
+    });
+    this.#enter(parts as Vector, how);
+  }
+
+  readonly #reset = (value: Value | Event): void => {
+    this.draft = {};
+    this.#enter(value instanceof Event ? this.baseline : value, "settled");
+  };
+
+  #enter(value: Value, how: Entry["how"]): void {
+    this.entered = value;
+    const detail: Entry = { path: this.parameter.path, value, how };
+    this.dispatchEvent(new CustomEvent("bough-enter", { bubbles: true, detail }));
+  }
+}
+
+customElements.define("bough-field", BoughField);
+
+/** The control of a parameter; `baseline` is what a reset brings back. */
+export function field(parameter: Parameter, value: Value, baseline: Value, issue?: Issue): TemplateResult {
+  return html`<bough-field
+    .parameter=${parameter}
+    .value=${value}
+    .baseline=${baseline}
+    .issue=${issue}
+  ></bough-field>`;
+}
+
+const resetIcon = html`<svg viewBox="0 0 20 20" aria-hidden="true"><path d="M5 6.5a6.3 6.3 0 1 1-1.2 5M5 2.8v3.9h3.9" /></svg>`;
+
+/** A number for a box: all its digits, in the shorter of the two ways to write it. */
+function plain(value: number): string {
+  const usual = String(value).replace("e+", "e");
+  const scientific = value.toExponential().replace("e+", "e");
+  return usual.length <= 8 || usual.length <= scientific.length ? usual : scientific;
+}
+
+/** A symbol with its index: "ε_T" has a small T. */
+function symbolText(symbol: string): TemplateResult | string {
+  const [main = "", index] = symbol.split("_", 2);
+  return index === undefined ? main : html`${main}<sub>${index}</sub>`;
+}
+
+/** The sentence of the core names the parameter by its path; beside the control its label is clearer. */
+function worded({ message }: Issue, { path, label }: Parameter): string {
+  return message.replaceAll(path, label);
+}

@@ -1,0 +1,89 @@
+/** What is in the picture, lit and in its place. One scene unit is the height of the frame, whatever the plant's size. */
+import { Group, Scene } from "three";
+import type { Frame } from "../geometry/frame.ts";
+import { type Lumping, modelOf } from "../geometry/model.ts";
+import { type Paint, shadesOf } from "../geometry/shade.ts";
+import type { Axes } from "../geometry/tube.ts";
+import { Ground } from "./ground.ts";
+import { Light } from "./light.ts";
+import { ModelMesh } from "./model.ts";
+import { palettes, type Tone } from "./palette.ts";
+import { PlantMesh } from "./plant.ts";
+import { Stand } from "./stand.ts";
+
+/** How a plant is drawn. */
+export interface Look {
+  /** How many growth steps the full-grown plant has. */
+  readonly grownSteps: number;
+  /** How many times too thick limbs are drawn. */
+  readonly girth: number;
+  /** What colours it; null is its own bark. */
+  readonly paint: Paint | null;
+  /** As the model that was computed, where masses are lumped so; null is as limbs. */
+  readonly model: Lumping | null;
+  /** How large the full-grown plant is, m. */
+  readonly extent: number;
+}
+
+export class World {
+  readonly scene = new Scene();
+  /** Holds the plant in m and turns it into scene units. */
+  readonly meters = new Group();
+  readonly #plant = new PlantMesh();
+  readonly #model = new ModelMesh();
+  readonly #light = new Light();
+  readonly #ground = new Ground();
+  readonly #stand = new Stand();
+  #tone: Tone | null = null;
+
+  constructor() {
+    this.meters.add(this.#plant.mesh, this.#model.group);
+    this.scene.add(this.#light.group, this.#ground.group, this.#stand.mesh, this.meters);
+  }
+
+  /** Takes the colours of a tone. */
+  tint(tone: Tone): void {
+    if (tone === this.#tone) return;
+    this.#tone = tone;
+    const palette = palettes[tone];
+    this.#plant.material.tint(palette);
+    this.#model.tint(palette);
+    this.#light.tint(palette);
+    this.#ground.tint(palette);
+    this.#stand.tint(palette);
+  }
+
+  /** Takes the shape of a plant. */
+  show(axes: Axes, { grownSteps, girth, paint, model, extent }: Look): void {
+    const shades = paint && shadesOf(paint.color, axes, paint.range);
+    this.#plant.mesh.visible = model === null;
+    this.#model.group.visible = model !== null;
+    if (model) {
+      this.#model.show(modelOf(axes, extent, model), shades, paint?.colors ?? []);
+      return;
+    }
+    this.#plant.show(axes, girth, shades);
+    this.#plant.material.age(grownSteps);
+    this.#plant.material.paint(paint?.colors ?? null);
+  }
+
+  /** Puts a frame in front of the camera; `foot` is the drawn radius of the plant's base, m. */
+  place({ center, height, ground }: Frame, foot: number): void {
+    const unit = 1 / height;
+    const [x, y, z] = [-center[0] * unit, -center[1] * unit, -center[2] * unit];
+    this.meters.scale.setScalar(unit);
+    this.meters.position.set(x, y, z);
+    this.#plant.material.measure(unit);
+    this.#ground.place({ x, z }, y + ground * unit, ground < 0 ? 0 : foot * unit);
+    this.#stand.place({ x, y, z }, y + ground * unit, foot * unit);
+    this.scene.updateMatrixWorld();
+  }
+
+  dispose(): void {
+    this.#plant.dispose();
+    this.#model.dispose();
+    this.#light.dispose();
+    this.#ground.dispose();
+    this.#stand.dispose();
+  }
+}
