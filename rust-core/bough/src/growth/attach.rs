@@ -1,7 +1,9 @@
 //! How new segments are attached: at the tip of a growing axis, or as the first ones of two children at a fork.
 
-use super::state::{Axis, Growth, Wood};
+use super::axis::Axis;
+use super::state::Growth;
 use super::tropism::{elasticity, turned};
+use super::wood::Wood;
 use crate::angle::{Degrees, wrap};
 use crate::mechanics::GROUND;
 use crate::params::{Discretization, Params};

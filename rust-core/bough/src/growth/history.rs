@@ -24,7 +24,8 @@ pub fn grow(params: &Params) -> Result<Plant, BoughError> {
         return Ok(history.at(history.steps()));
     }
     let mut growth = Growth::new(params)?;
-    while growth.work(growth.steps(), &mut u64::MAX.clone()) {}
+    let mut unlimited = u64::MAX;
+    while growth.work(growth.steps(), &mut unlimited) {}
     Ok(growth.plant())
 }
 

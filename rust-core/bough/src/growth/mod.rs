@@ -1,6 +1,7 @@
 //! How a plant grows: a step thickens old wood, extends or forks the axes, turns new wood, and lets all settle.
 
 mod attach;
+mod axis;
 mod fork;
 mod history;
 mod plan;
@@ -12,6 +13,7 @@ mod trajectory;
 mod trend;
 mod tropism;
 mod weight;
+mod wood;
 
 pub use fork::Fork;
 pub use history::{History, grow};

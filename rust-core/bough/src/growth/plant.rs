@@ -1,6 +1,7 @@
 //! From the state of growth to the result arrays.
 
-use super::state::{Growth, Wood};
+use super::state::Growth;
+use super::wood::Wood;
 use crate::angle::Degrees;
 use crate::mechanics::{GROUND, Linkage, Report};
 use crate::params::{Stepping, Thickening};

@@ -1,51 +1,14 @@
 //! A plant in growth, one step at a time.
 
+use super::axis::Axis;
 use super::plan::Plan;
 use super::trend::Trend;
+use super::wood::Wood;
 use crate::mechanics::{
     Elimination, GROUND, Linkage, Loads, Outcome, Relaxation, Report, Settings, Status, Workspace, settle,
 };
 use crate::params::{BoughError, Method, Params, Stepping, Thickening, check};
 use crate::plant::{Plant, Section};
-
-/// The wood of one rod, and of the joint at its base.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Wood {
-    /// Radius of the first pipe, m. The node of a fork has the pipes of the parent's last segment.
-    pub(super) birth_radius: f64,
-    pub(super) axis: u32,
-    /// Growth step of birth, from 1.
-    pub(super) birth: u32,
-    /// Growth step of the first pipe: that of birth, or for the node of a fork the birth of the segment it ends.
-    pub(super) first_pipe: u32,
-    /// Length that the base joint's spring stands for, m.
-    pub(super) joint_length: f64,
-    /// Spring constant of the base joint's first pipe, N m (equation 41).
-    pub(super) pipe_stiffness: f64,
-    /// Mass of the first pipe, kg; 0 for the node of a fork.
-    pub(super) pipe_mass: f64,
-    /// The part of the rest angle that is the branching angle, radians; 0 inside an axis.
-    pub(super) branching_turn: f64,
-}
-
-/// One axis as far as it has grown.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
-    /// How many forks lie below it.
-    pub(super) generation: u32,
-    /// Birth radius at its base, m.
-    pub(super) base_radius: f64,
-    /// The segment whose distal end it is attached to, or [`GROUND`].
-    pub(super) attached: u32,
-    /// The rod that bears its next segment: the node of its fork, later its own last segment.
-    pub(super) bearer: u32,
-    /// Its branching angle, radians.
-    pub(super) branching_turn: f64,
-    /// How many segments it has.
-    pub(super) segments: u32,
-    /// Whether it has ended in a fork.
-    pub(super) forked: bool,
-}
 
 /// All that changes as the plant grows; two equal states grow on equally.
 #[derive(Clone, Debug, Default)]
@@ -168,7 +131,8 @@ impl Growth {
     /// The order is that of section 4: older segments get their pipe, at rest in the present shape; new segments
     /// are attached; all weights act; equilibrium.
     pub fn step(&mut self) -> bool {
-        self.work(self.state.step + 1, &mut u64::MAX.clone())
+        let mut unlimited = u64::MAX;
+        self.work(self.state.step + 1, &mut unlimited)
     }
 
     /// Goes on towards the end of step `target` until a step is taken or the budget of stepped rods is spent; false
