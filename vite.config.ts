@@ -1,10 +1,12 @@
 import { defineConfig } from "vite";
+import { leanThree } from "./tools/lean-three.mjs";
 
 export default defineConfig({
   root: "web",
   publicDir: "../public",
   // Relative addresses: the site works in any folder of any host.
   base: "./",
+  plugins: [leanThree()],
   worker: { format: "es" },
   // tools/sizes.mjs holds the budgets, compressed; Vite's own limit is on the uncompressed chunk.
   build: { outDir: "../dist/site", emptyOutDir: true, chunkSizeWarningLimit: Number.POSITIVE_INFINITY },

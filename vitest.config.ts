@@ -13,8 +13,16 @@ export default defineConfig({
       },
       {
         test: {
+          // What takes too long for every check: npm run soak.
+          name: "soak",
+          include: ["tests/element/**/*.soak.ts"],
+          testTimeout: 3_600_000,
+        },
+      },
+      {
+        test: {
           name: "browser",
-          include: ["tests/browser/**/*.test.ts"],
+          include: ["tests/{browser,element}/**/*.test.ts"],
           globalSetup: "tests/browser/serve.ts",
           // WebGL is computed on the CPU here: one page at a time, and time enough for slow machines.
           fileParallelism: false,

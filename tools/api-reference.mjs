@@ -10,6 +10,11 @@ const page = join(root, "docs", "api.md");
 
 const entries = [
   { name: "bough", file: "index.ts", note: "The same from `bough/inline`, which has the wasm inside." },
+  {
+    name: "bough/element",
+    file: "../element/index.ts",
+    note: "[widget.md](widget.md) has its attributes, events and styles. Types that `bough` exports too are not repeated.",
+  },
   { name: "bough/worker", file: "worker.ts", note: "What `bough` exports too is not repeated." },
 ];
 
@@ -118,7 +123,7 @@ function entry(heading, ...parts) {
   return [`### \`${heading}\``, ...parts].filter((part) => part !== "").join("\n\n");
 }
 
-/** @param {ts.FunctionDeclaration | ts.MethodSignature} declaration */
+/** @param {ts.FunctionDeclaration | ts.MethodSignature | ts.MethodDeclaration} declaration */
 function signature({ name, parameters, type }) {
   const shown = parameters.map((parameter) => {
     const mark = parameter.initializer || parameter.questionToken ? "?" : "";
@@ -140,10 +145,13 @@ function headingOf({ name, heritageClauses = ts.factory.createNodeArray() }) {
 function membersOf(declaration, checker) {
   const rows = declaration.members.flatMap((/** @type {ts.TypeElement | ts.ClassElement} */ member) => {
     const isProperty = ts.isPropertySignature(member) || ts.isPropertyDeclaration(member);
-    const isMethod = ts.isMethodSignature(member);
+    const isMethod = ts.isMethodSignature(member) || ts.isMethodDeclaration(member);
+    const isGetter = ts.isGetAccessor(member);
     const symbol = member.name && checker.getSymbolAtLocation(member.name);
     // What only repeats the class it extends has no type of its own.
-    if (!symbol || !(isProperty || isMethod) || !member.type) return [];
+    if (!symbol || !(isProperty || isMethod || isGetter) || !member.type) return [];
+    // What browsers call is no business of authors.
+    if (ts.isClassDeclaration(declaration) && commentOf(symbol, checker) === "") return [];
     const mark = isProperty && member.questionToken ? "?" : "";
     const head = isMethod ? signature(member) : `${symbol.name}${mark}: ${member.type.getText()}`;
     return [`| ${inCell(`\`${head}\``)} | ${inCell(commentOf(symbol, checker))} |`];

@@ -1,8 +1,10 @@
 // The npm package: our TypeScript compiled file by file (Vite's library mode would inline the wasm), with the glue and
-// the wasm beside it at the same relative places as in web/.
+// the wasm beside it at the same relative places as in web/. Only the element's own parts are put together: nobody
+// imports them one by one, and together they take a third less.
 
-import { copyFileSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { copyFileSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, relative, sep } from "node:path";
+import { bundle } from "./bundle.mjs";
 import { nodeCommand } from "./commands.mjs";
 import { generated, packageFolder, root } from "./paths.mjs";
 import { runCommand } from "./run-command.mjs";
@@ -14,17 +16,53 @@ export async function buildPackage() {
   for (const file of ["bough.js", "bough.wasm"]) {
     copyFileSync(join(generated, file), join(packageFolder, "generated", file));
   }
-  await stripComments();
+  await joinElement();
+  await minifyModules();
   dropInnerTypes();
 }
 
-/** The comments are in the types, where editors look for them; twice they would be a tenth of the tarball. */
-async function stripComments() {
-  const { default: ts } = await import("typescript");
-  const { ESNext: module } = ts.ModuleKind;
-  const compilerOptions = { removeComments: true, module, target: ts.ScriptTarget.ESNext };
+/** The parts of the element that no other entry imports; the core's stay where they are, so that there is but one core. */
+const ownParts = ["element", "form", "geometry", "scene"];
+
+/** The element in three files: what every page needs at once, and what is loaded once a plant is wanted. */
+async function joinElement() {
+  const source = join(packageFolder, "src");
+  const joined = join(packageFolder, "joined");
+  const isOwn = (/** @type {string} */ id) => ownParts.includes(relative(source, id).split(sep)[0] ?? "");
+  await bundle({
+    root: packageFolder,
+    plugins: [
+      {
+        name: "bough-one-core",
+        enforce: "pre",
+        async resolveId(id, importer) {
+          const found = id.startsWith(".") ? await this.resolve(id, importer, { skipSelf: true }) : null;
+          // All parts lie side by side: the path between two of them is the same from every file.
+          return found && !isOwn(found.id) ? { id, external: true } : null;
+        },
+      },
+    ],
+    build: {
+      outDir: joined,
+      lib: { entry: join(source, "element", "index.js"), formats: ["es"] },
+      rollupOptions: {
+        external: /^three/,
+        output: { entryFileNames: "index.js", chunkFileNames: "[name].js" },
+      },
+    },
+  });
+  for (const file of filesEndingWith(".js")) if (isOwn(file)) rmSync(file);
+  for (const file of readdirSync(joined)) renameSync(join(joined, file), join(source, "element", file));
+  rmSync(joined, { recursive: true });
+}
+
+/** Nobody reads the code in a package, and comments are in the types, where editors look for them. */
+async function minifyModules() {
+  const { minifySync } = await import("vite");
   for (const file of filesEndingWith(".js")) {
-    writeFileSync(file, ts.transpileModule(readFileSync(file, "utf8"), { compilerOptions }).outputText);
+    const { code, errors } = minifySync(file, readFileSync(file, "utf8"), { module: true, mangle: true });
+    if (errors.length > 0) throw new Error(`${file} cannot be minified: ${errors[0]?.message}`);
+    writeFileSync(file, code);
   }
 }
 

@@ -1,5 +1,5 @@
 // npm run figures: every preset as the page draws it. They become docs/figures.png, the contact sheet of the paper, and
-// public/presets/<id>.webp, the thumbnails of the gallery.
+// public/presets/<id>.webp, the thumbnails of the gallery; the plant of the bare page is default.webp among them.
 
 import { mkdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
@@ -53,6 +53,7 @@ await orExplain(async () => {
       console.log(`${id}: ${preset.title}`);
     }
     await writeFile(join(root, "docs", "figures.png"), await makeSheet(browser, figures));
+    figures.push(await draw(browser, server.resolvedUrls?.local[0] ?? "", null, { title: "", params: {} }));
     const thumbnails = join(root, "public", "presets");
     await mkdir(thumbnails, { recursive: true });
     for (const { id, plant } of figures) {
@@ -67,8 +68,8 @@ await orExplain(async () => {
 /**
  * @param {import("playwright").Browser} browser
  * @param {string} site
- * @param {string} id
- * @param {import("../web/src/params/declaration.ts").Preset} preset
+ * @param {string | null} id null is the default plant
+ * @param {Pick<import("../web/src/params/declaration.ts").Preset, "title" | "params">} preset
  * @returns {Promise<Figure>}
  */
 async function draw(browser, site, id, { title, params }) {
@@ -76,12 +77,12 @@ async function draw(browser, site, id, { title, params }) {
   try {
     const page = await context.newPage();
     const view = params.arrangement?.pattern === "stem" ? "space" : "plane";
-    await page.goto(`${site}?preset=${id}&view=${view}&theme=light`);
+    await page.goto(`${site}?${id === null ? "" : `preset=${id}&`}view=${view}&theme=light`);
     await page.addStyleTag({ content: onlyPlant });
     await settle(page);
     const plate = await page.screenshot({ omitBackground: true });
     await page.addStyleTag({ content: unannotated });
-    return { id, title, plate, plant: await page.screenshot({ omitBackground: true }) };
+    return { id: id ?? "default", title, plate, plant: await page.screenshot({ omitBackground: true }) };
   } finally {
     await context.close();
   }

@@ -47,7 +47,7 @@ describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
     await page.locator(".pull data").waitFor({ state: "attached" });
     await settled(page);
     expect(await violations(page)).toEqual([]);
-    for (const name of ["Keys", "All plates"]) {
+    for (const name of ["Keys", "All plates", "Embed"]) {
       await page.getByRole("button", { name, exact: true }).click();
       await page.getByRole("dialog", { name }).waitFor();
       expect(await violations(page)).toEqual([]);
@@ -104,6 +104,60 @@ describe("by keyboard alone", () => {
     }
     throw new Error(`Tab does not lead to ${name}: ${passed.join(" | ")}.`);
   }
+
+  /** Presses an arrow until the plate of this name has the focus. */
+  async function arrowTo(page: Page, arrow: string, name: string): Promise<void> {
+    for (let press = 0; press < 30 && !(await focused(page)).startsWith(name); press++) {
+      await page.keyboard.press(arrow);
+    }
+    expect(await focused(page)).toContain(name);
+  }
+
+  it("all plates are one stop, in the strip and in the gallery; arrows, Home and End go between them", async () => {
+    const { page } = await visit(browser, "?preset=figure-8d");
+    const stops = (selector: string) =>
+      page.evaluate(
+        (selector) =>
+          [...document.querySelectorAll<HTMLElement>(selector)]
+            .filter(({ tabIndex }) => tabIndex >= 0)
+            .map((plate) => (plate.textContent ?? "").trim().replace(/\s+/g, " ").slice(0, 10)),
+        selector,
+      );
+    expect(await stops(".gallery .plate")).toEqual(["Figure 8 d"]);
+    await tabTo(page, "Figure 8 d");
+    for (const [key, name] of [
+      ["ArrowRight", "Figure 10"],
+      ["ArrowLeft", "Figure 8 d"],
+      ["Home", "Default"],
+      ["ArrowLeft", "Default"],
+      ["End", "Figure 21 c"],
+    ] as const) {
+      await page.keyboard.press(key);
+      expect(await focused(page)).toContain(name);
+    }
+    // Tab leaves all of them, and comes back to the one that was left.
+    await page.keyboard.press("Tab");
+    expect(await page.evaluate(() => document.activeElement?.closest(".plates"))).toBeNull();
+    await page.keyboard.press("Shift+Tab");
+    expect(await focused(page)).toContain("Figure 21 c");
+    // Whatever plate is chosen, by whatever means, is the stop.
+    await page.keyboard.press("Enter");
+    await settled(page);
+    await page.goBack();
+    await page.waitForFunction(() => location.search.includes("figure-8d"));
+    await settled(page);
+    expect(await stops(".gallery .plate")).toEqual(["Figure 8 d"]);
+    await page.keyboard.press("g");
+    await page.getByRole("dialog", { name: "All plates" }).waitFor();
+    expect(await stops("dialog .plate")).toEqual(["Figure 8 d"]);
+    // Up and down go to the plate that is nearest in the next row.
+    await page.keyboard.press("ArrowUp");
+    expect(await focused(page)).toMatch(/^Figure 2/);
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("ArrowDown");
+    expect(await focused(page)).toMatch(/^Figure 1[03]/);
+    await page.context().close();
+  });
 
   it("a person goes through the whole page", async () => {
     const { page, problems } = await visit(browser);
@@ -179,10 +233,23 @@ describe("by keyboard alone", () => {
     await tabTo(page, "All plates");
     await page.keyboard.press("Enter");
     await page.getByRole("dialog", { name: "All plates" }).waitFor();
-    await tabTo(page, "Figure 13 c");
+    expect(await focused(page)).toContain("Default");
+    await arrowTo(page, "ArrowRight", "Figure 13 c");
     await page.keyboard.press("Enter");
     await settled(page);
     expect(parameter("preset")).toBe("figure-13c");
+    // The same in the strip beside the picture, and the snippet for another page.
+    await tabTo(page, "Figure 13 c");
+    await arrowTo(page, "ArrowLeft", "Figure 8 d");
+    await page.keyboard.press(" ");
+    await settled(page);
+    expect(parameter("preset")).toBe("figure-8d");
+    await tabTo(page, "Embed");
+    await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: "Embed" }).waitFor();
+    await tabTo(page, "Paste this as HTML");
+    await page.keyboard.press("Escape");
+    expect(await focused(page)).toBe("Embed");
     expect(problems).toEqual([]);
     await page.context().close();
   });

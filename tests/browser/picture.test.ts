@@ -132,8 +132,7 @@ describe("when the graphics card drops the picture", () => {
   it("the last good one stays, with a sentence, until it is back", async () => {
     const { page } = await visit(browser);
     const lose = await page.evaluateHandle(() => {
-      const canvas = document.querySelector<HTMLCanvasElement>("canvas.picture");
-      return canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context");
+      return window.seen.webgl?.getExtension("WEBGL_lose_context");
     });
     await lose.evaluate((extension) => extension?.loseContext());
     await page.getByText("The graphics card dropped the picture").waitFor();

@@ -11,8 +11,8 @@ export interface Visit {
 
 declare global {
   interface Window {
-    /** Put there by the tests: pictures drawn and animation frames asked for so far, and what the last picture told. */
-    seen: { drawn: number; frames: number; last: Drawn | null };
+    /** Put there by the tests: pictures drawn and animation frames asked for so far, what the last picture told, and the graphics card. */
+    seen: { drawn: number; frames: number; last: Drawn | null; webgl: WebGL2RenderingContext | null };
   }
 }
 
@@ -55,7 +55,13 @@ export function listen(page: Page): string[] {
 
 /** Runs in the page before its own code. */
 function watch(): void {
-  window.seen = { drawn: 0, frames: 0, last: null };
+  window.seen = { drawn: 0, frames: 0, last: null, webgl: null };
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...asked: [string]) {
+    const context = getContext.apply(this, asked);
+    if (context instanceof WebGL2RenderingContext) window.seen.webgl = context;
+    return context;
+  } as typeof getContext;
   const request = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (callback) => {
     window.seen.frames++;

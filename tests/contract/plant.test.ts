@@ -70,6 +70,7 @@ describe("the default plant", () => {
       status: "converged",
       stable: true,
       unstableSince: null,
+      steppingError: null,
       residual: expect.any(Number),
       worstStepResidual: expect.any(Number),
       iterations: expect.any(Number),

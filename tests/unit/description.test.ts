@@ -4,7 +4,7 @@ import {
   describe as described,
   gravitySentence,
   solverSentence,
-} from "../../web/src/explorer/description.ts";
+} from "../../web/src/element/description.ts";
 import { complete } from "../../web/src/params/params.ts";
 import type { Plant, Report } from "../../web/src/plant/plant.ts";
 import { handMade } from "./plants.ts";
@@ -18,6 +18,7 @@ const sound: Report = {
   iterations: 3,
   steps: 2,
   gravityNumber: 5,
+  steppingError: null,
 };
 
 describe("the description", () => {

@@ -1,9 +1,13 @@
 import { expect, test } from "vitest";
 import { equations } from "../../web/src/form/equations.ts";
-import { parameterAt } from "../../web/src/params/declaration.ts";
+import { parameterAt, parameters } from "../../web/src/params/declaration.ts";
 
 test("every equation belongs to a parameter that exists", () => {
   expect(Object.keys(equations).filter((path) => !parameterAt(path))).toEqual([]);
+});
+
+test("every parameter of the form has the equation that it enters", () => {
+  expect(parameters.map(({ path }) => path).filter((path) => !equations[path])).toEqual([]);
 });
 
 test.each(Object.entries(equations))(

@@ -354,6 +354,20 @@ describe("an update", () => {
       tubesOf(arc).positions.subarray(0, 3 * tubes.vertexCount),
     );
   });
+
+  it("leaves the triangles alone while the limbs are cut alike, and says so", () => {
+    const tubes = new Tubes();
+    tubes.update(arc, detail);
+    expect(tubes.recut).toBe(true);
+    tubes.update(arc, detail, 2);
+    expect(tubes.recut).toBe(false);
+    tubes.update(arc, { ...detail, sides: 8 });
+    expect(tubes.recut).toBe(true);
+    tubes.update(fork, detail);
+    expect(tubes.recut).toBe(true);
+    const { index, indexCount } = tubesOf(fork);
+    expect(tubes.index.subarray(0, tubes.indexCount)).toEqual(index.subarray(0, indexCount));
+  });
 });
 
 type Triple = [number, number, number];

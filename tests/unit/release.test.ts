@@ -27,6 +27,9 @@ test("the Rust and the Node that README asks for are those that the manifests as
 
 test("nothing is installed with the package, and nothing runs when it is", () => {
   expect(manifest).not.toHaveProperty("dependencies");
+  // Only the element draws with three: who wants it says so.
+  expect(Object.keys(manifest.peerDependencies)).toEqual(["three"]);
+  expect(manifest.peerDependenciesMeta).toEqual({ three: { optional: true } });
   expect(
     Object.keys(manifest.scripts).filter((name) => /^(pre|post)?(install|prepare|pack)/.test(name)),
   ).toEqual([]);

@@ -56,6 +56,11 @@ export const matrix = [
   }),
   { name: "<script type=module>", run: withoutBundler },
   {
+    name: "<bough-plant> without a bundler",
+    run: async ({ workshop, visitor }) => visitPlants(await workshop.install("element"), visitor),
+  },
+  ...["React", "Vue", "Svelte"].map(withElement),
+  {
     name: "TypeScript, nodenext and bundler",
     run: async ({ workshop }) => {
       const folder = await workshop.install("typescript");
@@ -91,6 +96,41 @@ function inNode(version) {
       await runCommand(`Node ${major}'s test runner`, [node, "--test"], { cwd: folder, limit: 120 });
     },
   };
+}
+
+/**
+ * The element in an app of a framework.
+ * @param {string} name
+ * @returns {Consumer}
+ */
+function withElement(name) {
+  return {
+    name: `<bough-plant> in ${name}`,
+    run: async ({ workshop, visitor }) => {
+      const folder = await workshop.install(name.toLowerCase());
+      await build(folder);
+      await visitPlants(join(folder, "dist"), visitor);
+    },
+  };
+}
+
+/**
+ * A page with two plants, as tests/consumers/plants.js has it.
+ * @param {string} folder
+ * @param {import("./visitor.mjs").Visitor} visitor
+ */
+async function visitPlants(folder, visitor) {
+  const server = await serveFolder(folder);
+  try {
+    const { report } = await visitor.visit(server.address);
+    requireEqual(
+      report,
+      "figure-13a ready: converged, step 13\nown ready: converged, step null\n" +
+        "params 3\nstep 5\nimage/png with something in it\nimage/png with something in it",
+    );
+  } finally {
+    server.close();
+  }
 }
 
 /**

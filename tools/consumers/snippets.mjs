@@ -1,8 +1,9 @@
 // The code blocks of README and docs, run as they stand, against the installed package. What a block prints is compared
 // with its comments "// → …"; blocks of Rust are the doctests of rust-core/docs.
 
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { cpSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { buildWidget } from "../build-widget.mjs";
 import { Obstacle } from "../obstacle.mjs";
 import { root } from "../paths.mjs";
 import { runCommand } from "../run-command.mjs";
@@ -21,6 +22,9 @@ import { serveFolder } from "./servers.mjs";
  * @param {import("./visitor.mjs").Visitor} visitor
  */
 export async function runSnippets(folder, visitor) {
+  // As an author has it who copied the site.
+  await buildWidget(folder);
+  cpSync(join(root, "public"), folder, { recursive: true });
   const server = await serveFolder(folder);
   try {
     for (const [index, block] of blocks().entries()) {

@@ -26,7 +26,7 @@ export class Workshop {
   async install(fixture, packages = {}) {
     const folder = mkdtempSync(join(this.#folder, `${fixture}-`));
     cpSync(join(fixtures, fixture), folder, { recursive: true });
-    cpSync(join(fixtures, "program.js"), join(folder, "program.js"));
+    for (const file of ["program.js", "plants.js"]) cpSync(join(fixtures, file), join(folder, file));
     cpSync(this.#tarball, join(folder, "bough.tgz"));
     writeFileSync(join(folder, "fingerprint.js"), await plainFingerprint());
     const manifest = join(folder, "package.json");
@@ -56,7 +56,9 @@ export class Workshop {
     writeFileSync(join(copy, "package.json"), JSON.stringify({ ...manifest, version: later }));
     cpSync(packageFolder, join(copy, "dist", "package"), { recursive: true });
     const declaration = join(copy, "dist", "package", "generated", "declaration.js");
-    writeFileSync(declaration, readFileSync(declaration, "utf8").replace(`"${version}"`, `"${later}"`));
+    // In the quotes that the minifier chose.
+    const text = readFileSync(declaration, "utf8").replace(/(?<=version:.)\d[^"'`]*/, later);
+    writeFileSync(declaration, text);
     cpSync(await this.#pack(copy, "bough-next.tgz"), join(folder, "bough-next.tgz"));
   }
 

@@ -2,12 +2,14 @@
 
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { cargo } from "../commands.mjs";
+import { buildSite } from "../build-site.mjs";
+import { cargo, nodeCommand } from "../commands.mjs";
 import { matrix } from "../consumers/matrix.mjs";
 import { runMatrix } from "../consumers/run-matrix.mjs";
 import { packageFolder, root, rustCore } from "../paths.mjs";
 import { runCommand } from "../run-command.mjs";
 import { leastRust } from "../setup/rust.mjs";
+import { buildPlates, comparePlates, looks, platesFolder } from "../visual/plates.mjs";
 
 /**
  * @typedef {object} Shard
@@ -27,7 +29,25 @@ export const shards = [
     },
   })),
   { job: "memory", name: "a million plants", run: memory },
+  { job: "widgets", name: "thirty widgets and two dozen frames, five rounds of each", run: widgets },
   { job: "rust", name: "the oldest Rust that is promised", run: oldestRust },
+  ...Array.from({ length: 10 }, (_, part) => ({
+    job: "links",
+    name: `damaged links ${1000 * part} to ${1000 * part + 999}`,
+    run: async () => {
+      await buildPlates();
+      const { openDamagedLinks } = await import("../../tests/soak/links.mjs");
+      return openDamagedLinks(platesFolder, 1000 * part, 1000);
+    },
+  })),
+  ...looks.map((look) => ({
+    job: "visual",
+    name: `every preset, ${look.screen} and ${look.theme}`,
+    run: async () => {
+      await buildPlates();
+      return comparePlates(look, false);
+    },
+  })),
 ];
 
 async function memory() {
@@ -36,6 +56,16 @@ async function memory() {
   const [calls, failing] = ["1000000", "100000"];
   const command = [process.execPath, "--expose-gc", script, entry, calls, failing];
   return runCommand("a million plants in one process", command);
+}
+
+async function widgets() {
+  await buildSite();
+  const soak = [...nodeCommand("vitest"), "run", "--project", "soak"];
+  const printed = await runCommand("widgets and frames", soak, { limit: 7200, env: { NO_COLOR: "1" } });
+  return printed
+    .split("\n")
+    .filter((line) => /at once|nodes, /.test(line))
+    .join("\n");
 }
 
 /** In a target folder of its own: the check's stays warm. */

@@ -2,9 +2,30 @@
 //!
 //! Every array leaves as a copy, so nothing that JavaScript holds refers to wasm memory.
 
+#![cfg_attr(target_arch = "wasm32", no_std)]
+
+extern crate alloc;
+
+use alloc::borrow::ToOwned;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+
 use bough::mechanics::Report;
 use bough::params::{self, Params};
 use wasm_bindgen::prelude::*;
+
+/// The standard library's own allocator for wasm.
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static ALLOCATOR: dlmalloc::GlobalDlmalloc = dlmalloc::GlobalDlmalloc;
+
+/// The core does not panic; the standard library's handler, which words a message, would be a tenth of the wasm.
+#[cfg(target_arch = "wasm32")]
+#[panic_handler]
+fn stop(_: &core::panic::PanicInfo) -> ! {
+    core::arch::wasm32::unreachable()
+}
 
 /// Version of the core.
 #[wasm_bindgen]
@@ -179,10 +200,12 @@ impl Plant {
         forces.flat_map(flat).collect()
     }
 
-    /// `report.residual`, `.worstStepResidual`, `.iterations`, `.steps`, `.gravityNumber`
+    /// `report.residual`, `.worstStepResidual`, `.iterations`, `.steps`, `.gravityNumber`, and `.steppingError` if there
+    /// is one.
     pub fn figures(&self) -> Vec<f64> {
         let Report { residual, worst_step_residual, iterations, steps, gravity_number, .. } = *self.report();
-        vec![residual, worst_step_residual, iterations as f64, f64::from(steps), gravity_number]
+        let figures = [residual, worst_step_residual, iterations as f64, f64::from(steps), gravity_number];
+        figures.into_iter().chain(self.report().stepping_error).collect()
     }
 }
 

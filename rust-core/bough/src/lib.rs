@@ -19,7 +19,10 @@
 //! The parts, each knowing only those before it: [`params`] (the one declaration), [`plant`] (the result and
 //! the sections of its wood), [`mechanics`] (loads, energy, equilibrium), [`growth`] (the step, and its history).
 
+#![no_std]
 #![forbid(unsafe_code)]
+
+extern crate alloc;
 
 pub mod angle;
 pub mod growth;

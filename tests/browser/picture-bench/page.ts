@@ -1,5 +1,5 @@
 /** Runs in the browser: a stage without the explorer, for tests of what the picture itself can do. */
-import { threadEngine } from "../../../web/src/engine/thread.ts";
+import { threadEngine } from "../../../web/src/engine/engine.ts";
 import type { ParamsInput } from "../../../web/src/params/params.ts";
 import type { Plant } from "../../../web/src/plant/plant.ts";
 import { type Drawn, type Showing, Stage } from "../../../web/src/scene/stage.ts";

@@ -167,7 +167,9 @@ function copied(plant: glue.Plant): Shape {
 }
 
 function reported(plant: glue.Plant): Report {
-  const [residual = 0, worstStepResidual = 0, iterations = 0, steps = 0, gravityNumber = 0] = plant.figures();
+  const figures = plant.figures();
+  const [residual = 0, worstStepResidual = 0, iterations = 0, steps = 0, gravityNumber = 0] = figures;
+  const steppingError = figures[5] ?? null;
   return {
     status: plant.status as Status,
     stable: plant.stable ?? null,
@@ -177,5 +179,6 @@ function reported(plant: glue.Plant): Report {
     iterations,
     steps,
     gravityNumber,
+    steppingError,
   };
 }

@@ -3,10 +3,11 @@ import type { Vector } from "../params/declaration.ts";
 import type { Issue } from "../params/issue.ts";
 import type { ParamsInput } from "../params/params.ts";
 import type { Plant } from "../plant/plant.ts";
+import { wasmAddress } from "./address.ts";
 import { type Pool, type PoolOptions, startPoolOn } from "./pool.ts";
-import { type Host, startOn } from "./start.ts";
-import { threadEngine } from "./thread.ts";
-import type { Source } from "./wasm.ts";
+import { type Host, type Parts, startOn } from "./start.ts";
+import { engineInThread } from "./thread.ts";
+import { load, type Source } from "./wasm.ts";
 import { workerEngine } from "./worker-engine.ts";
 
 /** What one request for a plant may be given. */
@@ -84,4 +85,9 @@ export function startPool(options: PoolOptions = {}): Promise<Pool> {
   return startPoolOn(browser, options);
 }
 
-export { threadEngine, workerEngine };
+/** An engine in this thread. */
+export function threadEngine({ module, reason }: Parts = {}): Engine {
+  return engineInThread(() => load(() => module ?? wasmAddress), reason);
+}
+
+export { workerEngine };

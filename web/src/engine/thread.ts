@@ -1,16 +1,10 @@
 /** The engine in this thread: where workers are refused. The page stays responsive between its slices. */
-import { wasmAddress } from "./address.ts";
 import { Client, type Connect } from "./client.ts";
 import type { Engine } from "./engine.ts";
 import { Session } from "./session.ts";
-import type { Parts } from "./start.ts";
-import { load } from "./wasm.ts";
 
-/** An engine in this thread; `ready` makes the core ready, if the wasm is not the one beside the code. */
-export function threadEngine(
-  { module, reason }: Parts = {},
-  ready = () => load(() => module ?? wasmAddress),
-): Engine {
+/** An engine in this thread. `ready` makes the core ready; `reason` is why it is not in a worker, if it was to be. */
+export function engineInThread(ready: () => Promise<void>, reason: string | null = null): Engine {
   const openSession: Connect = (onReply) => {
     const session = new Session(ready, onReply);
     return {
@@ -18,5 +12,5 @@ export function threadEngine(
       close: () => session.close(),
     };
   };
-  return new Client("thread", openSession, reason ?? null);
+  return new Client("thread", openSession, reason);
 }

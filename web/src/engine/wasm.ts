@@ -42,7 +42,10 @@ export async function compiled(source: Source): Promise<CompiledModule> {
   try {
     return await WebAssembly.compile(bytes);
   } catch (error) {
-    const why = "it is cut off, or this browser is too old (it must know SIMD)";
+    const isForbidden = /content.security.policy|unsafe-eval/i.test(reason(error));
+    const why = isForbidden
+      ? "the page's Content-Security-Policy forbids it; its script-src needs 'wasm-unsafe-eval'"
+      : "it is cut off, or this browser is too old (it must know SIMD)";
     throw new LoadError(`${origin} is WebAssembly that cannot be compiled here: ${why}. ${reason(error)}`, {
       cause: error,
     });

@@ -16,6 +16,8 @@ export class Address {
   /** Link to the state before the gesture that is going on. */
   #settled: string;
   #at: number;
+  /** Whether the entry holds another link than that: it was written over, or came from elsewhere. */
+  #isForeign = true;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #follows = false;
 
@@ -51,14 +53,15 @@ export class Address {
       this.#timer = setTimeout(() => this.#replace(write(this.#store.state)), pause);
       return;
     }
-    // While dragging, the entry of the state before was written over: it gets its link back.
-    this.#replace(this.#settled);
+    if (this.#isForeign) this.#replace(this.#settled);
+    this.#isForeign = false;
     this.#settled = write(this.#store.state);
     this.#at++;
     history.pushState({ bough: this.#at } satisfies Entry, "", this.#settled);
   }
 
   #replace(link: string): void {
+    this.#isForeign = true;
     history.replaceState({ bough: this.#at } satisfies Entry, "", link);
   }
 
@@ -73,6 +76,7 @@ export class Address {
     if (!sameState(state, this.#store.state)) this.#store.set(state, "settled");
     this.#at = number;
     this.#settled = write(this.#store.state);
+    this.#isForeign = true;
     this.#follows = false;
   }
 }

@@ -1,24 +1,26 @@
 /** The explorer: what a person does becomes state, state becomes a plant, the plant becomes picture and words. */
 import { render } from "lit";
+import { describe } from "../element/description.ts";
 import type { Engine } from "../engine/engine.ts";
+import { Grower } from "../engine/grower.ts";
 import type { Entry } from "../form/entry.ts";
 import { read } from "../params/link.ts";
 import { colors, presetState, type State, styles, themes, views } from "../params/state.ts";
 import { type Change, Store } from "../params/store.ts";
 import type { Plant } from "../plant/plant.ts";
-import { Stage } from "../scene/stage.ts";
 import { Address } from "./address.ts";
-import { describe } from "./description.ts";
-import { revealPlate } from "./gallery.ts";
-import { Grower } from "./grower.ts";
+import { copyLink } from "./clipboard.ts";
+import { revealPlate, titleOf } from "./gallery.ts";
 import { Intake } from "./intake.ts";
+import { Late } from "./late.ts";
 import type { Actions, Model } from "./model.ts";
 import { Narrator } from "./narrator.ts";
 import { Notices } from "./notices.ts";
 import { page } from "./page.ts";
 import { Passage } from "./passage.ts";
-import { Playback } from "./playback.ts";
+import { Picture } from "./picture.ts";
 import { pullSentence } from "./pull.ts";
+import { Replay } from "./replay.ts";
 import { listenToKeys } from "./shortcuts.ts";
 import { Theme } from "./theme.ts";
 import type { Touch } from "./touch.ts";
@@ -29,37 +31,41 @@ export class Explorer {
   readonly #store: Store;
   readonly #address: Address;
   readonly #theme = new Theme(() => this.#draw());
-  readonly #playback = new Playback();
+  readonly #replay: Replay;
   readonly #passage = new Passage();
   readonly #notices = new Notices(() => this.#render());
+  readonly #late = new Late(this.#notices);
   readonly #actions = this.#makeActions();
   #intake: Intake | null = null;
   #grower: Grower | null = null;
-  #stage: Stage | null = null;
+  #picture: Picture | null = null;
   #touch: Touch | null = null;
   #plant: Plant | null = null;
   #grown: Plant | null = null;
   #progress: number | null = null;
   readonly #narrator = new Narrator((text) => {
-    this.#stage?.canvas.setAttribute("aria-label", `The plant. ${text}`);
+    this.#picture?.stage.canvas.setAttribute("aria-label", `The plant. ${text}`);
     this.#render();
   });
-  /** Why the stage shows something other than what is wanted. */
-  #objection: string | null = null;
   #drags = false;
   #renders = false;
-  #revealed: string | null = null;
+  #revealed: string | null | undefined;
 
   constructor(root: HTMLElement) {
     this.#root = root;
     const { state, notices } = read(location.search);
     this.#store = new Store(state);
     this.#address = new Address(this.#store);
+    this.#replay = new Replay(
+      this.#store,
+      () => this.#grown,
+      () => this.#want(),
+    );
     this.#theme.apply(state.theme);
     for (const { message } of notices) this.#notices.add(message);
     this.#store.subscribe((_, change) => this.#take(change));
     root.addEventListener("bough-enter", (event) => {
-      this.#playback.stop();
+      this.#replay.stop();
       void this.#enter(event.detail);
       this.#rest();
     });
@@ -70,7 +76,7 @@ export class Explorer {
   /** Starts the engine, grows the first plant, and replays its growth once where motion is welcome. */
   async start(startEngine: () => Promise<Engine>): Promise<void> {
     const starting = startEngine();
-    this.#openStage();
+    this.#openPicture();
     try {
       await this.#use(await starting);
     } catch (error) {
@@ -95,12 +101,12 @@ export class Explorer {
       onRest: () => this.#draw(),
     });
     this.#want();
-    this.#load(() => this.#lendHand(engine));
+    this.#late.load(() => this.#lendHand(engine));
   }
 
   /** From now on the plant can be touched: no sooner than it is there, so that it is there the sooner. */
   async #lendHand(engine: Engine): Promise<void> {
-    const stage = this.#stage;
+    const stage = this.#picture?.stage;
     if (!stage) return;
     const { Touch } = await import("./touch.ts");
     this.#touch = new Touch({
@@ -109,7 +115,7 @@ export class Explorer {
       plant: () => (this.#grower?.busy ? null : this.#plant),
       onTake: () => {
         this.#passage.stop();
-        if (this.#playback.plays) this.#pause();
+        if (this.#replay.plays) this.#replay.pause();
       },
       onChange: () => this.#draw(),
       onLetGo: (held) => this.#pass(held, "swing"),
@@ -118,28 +124,17 @@ export class Explorer {
     this.#render();
   }
 
-  #openStage(): void {
+  #openPicture(): void {
     const host = this.#root.querySelector<HTMLElement>(".stage");
     if (!host) return;
     try {
-      this.#stage = new Stage(host);
+      this.#picture = new Picture(host, this.#notices, () => this.#rest());
     } catch {
       this.#notices.add(
         "This browser draws no 3D pictures (WebGL 2 is missing or switched off); the numbers work all the same.",
         { tone: "problem" },
       );
-      return;
     }
-    const { canvas } = this.#stage;
-    canvas.tabIndex = 0;
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "The plant");
-    const lost =
-      "The graphics card dropped the picture: this is the last one. It will come back, or after a reload.";
-    canvas.addEventListener("bough-lost", () => this.#notices.add(lost, { tone: "problem" }));
-    canvas.addEventListener("bough-restored", () => this.#notices.dismiss(({ text }) => text === lost));
-    canvas.addEventListener("bough-due", () => this.#rest());
-    canvas.addEventListener("bough-drawn", () => this.#rest());
   }
 
   async #enter(entry: Entry): Promise<void> {
@@ -163,16 +158,14 @@ export class Explorer {
     this.#drags = change === "dragging";
     this.#touch?.letGo();
     if (change === "undo" || change === "redo") this.#intake?.clear();
-    this.#playback.stop();
+    this.#replay.stop();
     this.#theme.apply(this.#store.state.theme);
     this.#want();
   }
 
   /** Wants the plant that the state, or the replay of its growth, is about. */
   #want(): void {
-    const { params, step } = this.#store.state;
-    const wanted = this.#playback.step ?? step;
-    this.#grower?.want(params, wanted);
+    this.#grower?.want(this.#store.state.params, this.#replay.step);
     this.#draw();
   }
 
@@ -205,36 +198,26 @@ export class Explorer {
     const shape = this.#shape;
     if (shape && this.#grown) {
       const { view, color, style } = this.#store.state;
-      const isFree = shape === this.#plant;
-      const objection = this.#stage?.show(shape, {
+      this.#picture?.show({
+        shape,
+        force: this.#touch?.pull ?? null,
         grown: this.#grown,
         view,
         color,
         style,
         tone: this.#theme.tone,
-        still: !isFree,
+        still: shape !== this.#plant,
         settled: !this.#drags && !this.#grower?.busy,
-        passage: this.#playback.interval,
+        passage: this.#replay.interval,
       });
-      this.#notices.replace(this.#objection, objection ?? null);
-      this.#objection = objection ?? null;
-      this.#stage?.showForce(this.#touch?.pull ?? null);
     }
     this.#render();
   }
 
   #play(): void {
-    if (!this.#grown) return;
     this.#touch?.letGo();
     this.#passage.stop();
-    const last = this.#grown.report.steps;
-    const { step } = this.#store.state;
-    const from = step === null || step >= last ? 1 : step;
-    const onEnd = () => {
-      this.#store.set({ step: null }, "settled");
-      this.#want();
-    };
-    this.#playback.start(from, last, () => this.#want(), onEnd);
+    this.#replay.play();
   }
 
   /** Gives up a long computation: the values go back to those of the plant that is shown. */
@@ -242,23 +225,6 @@ export class Explorer {
     this.#grower?.cancel();
     if (this.#plant) this.#store.set({ params: this.#plant.params }, "settled");
     this.#notices.add("Growing was cancelled.", { passes: this.#plant === null });
-  }
-
-  #pause(): void {
-    const { step } = this.#playback;
-    this.#playback.stop();
-    this.#store.set({ step }, "settled");
-    this.#render();
-  }
-
-  /** Shows another age, and stops the replay. */
-  #age(steps: number): void {
-    if (!this.#plant || !this.#grown) return;
-    const last = this.#grown.report.steps;
-    const step = Math.min(Math.max((this.#playback.step ?? this.#store.state.step ?? last) + steps, 1), last);
-    this.#store.set({ step: step === last ? null : step }, "settled");
-    this.#playback.stop();
-    this.#want();
   }
 
   /** Takes the loads off, or puts them on again. */
@@ -272,15 +238,15 @@ export class Explorer {
     if (this.#touch?.holds) this.#touch.letGo();
     else {
       this.#touch?.takeTip();
-      this.#stage?.canvas.focus({ preventScroll: true });
+      this.#picture?.stage.canvas.focus({ preventScroll: true });
     }
   }
 
   /** Says whether all is at rest, and describes it then. */
   #rest(): void {
-    const moves = this.#stage?.moving || this.#passage.plant !== null || this.#touch?.busy;
+    const moves = this.#picture?.stage.moving || this.#passage.plant !== null || this.#touch?.busy;
     const works = this.#intake?.busy || this.#grower?.busy || moves;
-    const rests = this.#plant !== null && !works && !this.#playback.plays && !this.#drags;
+    const rests = this.#plant !== null && !works && !this.#replay.plays && !this.#drags;
     document.documentElement.dataset.settled = String(rests);
     const pull = this.#touch?.pull;
     const plant = this.#plant;
@@ -320,8 +286,8 @@ export class Explorer {
       notices: this.#notices.list,
       progress: this.#progress,
       announcement: this.#narrator.text,
-      plays: this.#playback.plays,
-      speed: this.#playback.speed,
+      plays: this.#replay.plays,
+      speed: this.#replay.speed,
       holds: this.#touch?.holds ?? false,
       pull: this.#touch?.pull ?? null,
       canUndo,
@@ -345,55 +311,35 @@ export class Explorer {
       },
       choosePreset: (id) => {
         this.#intake?.clear();
-        this.#stage?.fit();
+        this.#picture?.stage.fit();
         this.#store.set(presetState(id), "settled");
       },
       resetAll: () => {
         this.#intake?.clear();
         this.#store.set({ params: presetState(this.#store.state.preset).params }, "settled");
       },
-      togglePlay: () => (this.#playback.plays ? this.#pause() : this.#play()),
+      togglePlay: () => (this.#replay.plays ? this.#replay.pause() : this.#play()),
       setSpeed: (speed) => {
-        this.#playback.speed = speed;
+        this.#replay.speed = speed;
         this.#render();
       },
-      age: (steps) => this.#age(steps),
+      age: (steps) => this.#replay.go(steps),
       toggleLoads: () => this.#toggleLoads(),
       toggleHold: () => this.#toggleHold(),
       undo: () => this.#address.undo(),
       redo: () => this.#address.redo(),
-      copyLink: () => void this.#copyLink(),
-      zoom: (factor) => this.#stage?.zoom(factor),
-      fit: () => this.#stage?.fit(),
+      copyLink: () => void copyLink(this.#address.link, this.#notices),
+      zoom: (factor) => this.#picture?.stage.zoom(factor),
+      fit: () => this.#picture?.stage.fit(),
       cancel: () => this.#cancel(),
       dismiss: (notice) => this.#notices.dismiss((other) => other === notice),
-      showGallery: () =>
-        this.#load(async () =>
-          (await import("./dialog.ts")).openGallery(this.#store.state.preset, this.#actions),
-        ),
-      showKeys: () => this.#load(async () => (await import("./dialog.ts")).openKeys()),
+      showGallery: () => this.#late.gallery(this.#store.state.preset, this.#actions),
+      showKeys: () => this.#late.keys(),
+      showEmbed: () => {
+        const { state } = this.#store;
+        this.#late.embed(state, titleOf(state.preset), this.#picture?.stage.canvas ?? null);
+      },
       showControls: () => this.#root.querySelector<HTMLElement>("#controls")?.focus(),
     };
-  }
-
-  /** Does something with a part of the page that is loaded late. */
-  #load(work: () => Promise<void>): void {
-    work().catch((error: unknown) => {
-      const reason = error instanceof Error ? error.message : String(error);
-      this.#notices.add(`A part of the page could not be loaded: reload it. (${reason})`, {
-        tone: "problem",
-      });
-    });
-  }
-
-  async #copyLink(): Promise<void> {
-    try {
-      await navigator.clipboard.writeText(this.#address.link);
-      this.#notices.add("The link is copied: it opens exactly this plant.");
-    } catch {
-      this.#notices.add("Copying is not allowed here; the address bar holds the same link.", {
-        tone: "problem",
-      });
-    }
   }
 }

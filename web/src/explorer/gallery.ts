@@ -2,16 +2,17 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { presets } from "../params/declaration.ts";
 import { sameParams } from "../params/params.ts";
-import { icon } from "./icons.ts";
 import type { Actions, Model } from "./model.ts";
+import { makeStop, rove } from "./roving.ts";
 
-/** Title of the plant that belongs to no preset. */
-export const ownTitle = "A branch to begin with";
+/** The title of a preset, or of the plant that belongs to none. */
+export function titleOf(id: string | null): string {
+  return id === null ? "A branch to begin with" : (presets[id]?.title ?? id);
+}
 
 /** The plate that is shown, with what to see on it, and the others to choose from. */
 export function gallery({ state, baseline }: Model, actions: Actions): TemplateResult {
   const preset = state.preset === null ? undefined : presets[state.preset];
-  const title = preset?.title ?? ownTitle;
   const note = preset?.note ?? "Change a value and watch the branch answer, or begin with one of the plates.";
   const isChanged = !sameParams(state.params, baseline);
   return html`<section class="gallery" aria-labelledby="plate-title">
@@ -20,20 +21,21 @@ export function gallery({ state, baseline }: Model, actions: Actions): TemplateR
       ${isChanged ? html`<button type="button" @click=${actions.resetAll}>Reset all</button>` : nothing}
       <button type="button" aria-haspopup="dialog" @click=${actions.showGallery}>All plates</button>
     </div>
-    <h2 id="plate-title">${title}</h2>
+    <h2 id="plate-title">${titleOf(state.preset)}</h2>
     <p class="note">${note}</p>
-    <ul class="plates" aria-label="Plates">
-      ${card(null, ownTitle, state.preset, actions.choosePreset)}
-      ${Object.entries(presets).map(([id, { title }]) => card(id, title, state.preset, actions.choosePreset))}
+    <ul class="plates" aria-label="Plates" @keydown=${rove} @focusin=${rove}>
+      ${[null, ...Object.keys(presets)].map((id) => card(id, titleOf(id), state.preset, actions.choosePreset))}
     </ul>
   </section>`;
 }
 
-/** Brings the plate that is shown into view in its strip. */
+/** Brings the plate that is shown into view in its strip, and makes it the strip's stop for Tab. */
 export function revealPlate(root: HTMLElement): void {
   const plate = root.querySelector<HTMLElement>(".plate[aria-pressed=true]");
   const strip = plate?.closest("ul");
-  if (plate && strip) strip.scrollLeft = plate.offsetLeft - strip.offsetLeft - 0.3 * strip.clientWidth;
+  if (!plate || !strip) return;
+  strip.scrollLeft = plate.offsetLeft - strip.offsetLeft - 0.3 * strip.clientWidth;
+  makeStop(plate);
 }
 
 /** A plate to choose: its picture, its name and its title. */
@@ -45,7 +47,7 @@ export function card(
 ): TemplateResult {
   return html`<li>
     <button type="button" class="plate" title=${title} aria-pressed=${id === present} @click=${() => choose(id)}>
-      <span class="thumbnail">${id === null ? icon("branch") : thumbnail(id)}</span>
+      <span class="thumbnail">${thumbnail(id ?? "default")}</span>
       <span class="plate-name">${plateName(id)}</span> <span class="plate-title">${title}</span>
     </button>
   </li>`;

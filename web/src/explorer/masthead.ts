@@ -10,6 +10,7 @@ export function masthead({ state, canUndo, canRedo }: Model, actions: Actions): 
     <div class="actions">
       ${button("undo", "Undo", actions.undo, !canUndo)} ${button("redo", "Redo", actions.redo, !canRedo)}
       ${button("keys", "Keys", actions.showKeys)} ${button("link", "Copy link", actions.copyLink)}
+      ${button("embed", "Embed", actions.showEmbed)}
       ${button(state.theme, `Theme: ${state.theme}`, () => actions.next("theme"))}
     </div>
   </header>`;

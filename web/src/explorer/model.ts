@@ -3,7 +3,7 @@ import type { Issue } from "../params/issue.ts";
 import type { Params } from "../params/params.ts";
 import type { State } from "../params/state.ts";
 import type { Plant } from "../plant/plant.ts";
-import type { Speed } from "./playback.ts";
+import type { Speed } from "../scene/playback.ts";
 import type { Pull } from "./touch.ts";
 
 /** A sentence to a person, which stays until it is dismissed. */
@@ -62,4 +62,6 @@ export interface Actions {
   showControls(): void;
   showGallery(): void;
   showKeys(): void;
+  /** Opens what makes the snippet for another page. */
+  showEmbed(): void;
 }

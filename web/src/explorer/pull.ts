@@ -1,8 +1,8 @@
 /** The force that holds the plant, in words, and how to let go. */
 import { html, nothing, type TemplateResult } from "lit";
+import { angle } from "../element/description.ts";
 import { quantityText } from "../form/quantity.ts";
 import { forceText } from "../geometry/quantity.ts";
-import { angle } from "./description.ts";
 import type { Actions, Model } from "./model.ts";
 import type { Pull } from "./touch.ts";
 

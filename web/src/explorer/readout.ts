@@ -1,8 +1,8 @@
 /** What can be measured on the plant. */
 import { html, nothing, type TemplateResult } from "lit";
+import { angle, gravitySentence, solverSentence } from "../element/description.ts";
 import { quantityText } from "../form/quantity.ts";
 import { measure } from "../geometry/measure.ts";
-import { angle, gravitySentence, solverSentence } from "./description.ts";
 import type { Model } from "./model.ts";
 
 export function readout({ plant, pull }: Model): TemplateResult | typeof nothing {

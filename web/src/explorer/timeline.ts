@@ -1,19 +1,17 @@
 /** The age: scrub it, step it, or watch the plant grow; and take the loads off. */
 import { html, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import { slide } from "../form/slide.ts";
 import { stepsOf } from "../params/params.ts";
+import { type Speed, speeds } from "../scene/playback.ts";
 import { type Icon, icon } from "./icons.ts";
 import type { Actions, Model } from "./model.ts";
-import { type Speed, speeds } from "./playback.ts";
 
 export function timeline({ state, plant, grown, plays, speed }: Model, actions: Actions): TemplateResult {
   const last = grown?.report.steps ?? stepsOf(state.params);
   // While it plays the age runs ahead of the state.
   const step = Math.min(last, plays ? (plant?.report.steps ?? last) : (state.step ?? last));
-  const enter = (how: "dragging" | "settled") => (event: Event) => {
-    const entered = (event.target as HTMLInputElement).valueAsNumber;
-    actions.change({ step: entered >= last ? null : entered }, how);
-  };
+  const onSlide = slide((entered, how) => actions.change({ step: entered >= last ? null : entered }, how));
   const playLabel = plays ? "Pause" : "Watch it grow";
   return html`<div class="timeline" role="group" aria-label="Age">
     <div class="transport">
@@ -32,9 +30,12 @@ export function timeline({ state, plant, grown, plays, speed }: Model, actions: 
       step="1"
       .value=${live(String(step))}
       aria-valuetext="growth step ${step} of ${last}"
-      @input=${enter("dragging")}
-      @change=${enter("settled")}
-      @pointerup=${enter("settled")}
+      @input=${onSlide}
+      @change=${onSlide}
+      @pointerup=${onSlide}
+      @keydown=${onSlide}
+      @keyup=${onSlide}
+      @blur=${onSlide}
     />
     <output for="age">${step} <span class="of">of ${last}</span></output>
     <select

@@ -128,6 +128,27 @@ const divergence: Equation = {
     '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><msub><mi>δ</mi><mi>k</mi></msub><mo>=</mo><mi>k</mi><mspace width="0.1667em"></mspace><mi>δ</mi></mrow></math>',
 };
 
+// h_k = (k + 1)\, h
+const spacing: Equation = {
+  caption: "Height of the k-th axis on the stem",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><msub><mi>h</mi><mi>k</mi></msub><mo>=</mo><mrow><mo fence="true" form="prefix" stretchy="false">(</mo><mi>k</mi><mo>+</mo><mn>1</mn><mo fence="true" form="postfix" stretchy="false">)</mo></mrow><mspace width="0.1667em"></mspace><mi>h</mi></mrow></math>',
+};
+
+// n_k = n - k\, \Delta n
+const interval: Equation = {
+  caption: "Growth steps that the k-th axis has had",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><msub><mi>n</mi><mi>k</mi></msub><mo>=</mo><mi>n</mi><mo>−</mo><mi>k</mi><mspace width="0.1667em"></mspace><mrow><mi mathvariant="normal">Δ</mi><mi>n</mi></mrow></mrow></math>',
+};
+
+// 0 \le k < N
+const count: Equation = {
+  caption: "The axes on the stem, from the lowest on",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mn>0</mn><mo>≤</mo><mi>k</mi><mo>&lt;</mo><mi>N</mi></mrow></math>',
+};
+
 /** By the path of the parameter. */
 export const equations: Readonly<Record<string, Equation>> = {
   "axis.segments": length,
@@ -154,4 +175,10 @@ export const equations: Readonly<Record<string, Equation>> = {
   "solver.tolerance": residual,
   "solver.stepping": rest,
   "branching.generations": ratio,
+  "branching.pattern": murray,
+  "branching.roll": girth,
+  "arrangement.pattern": divergence,
+  "arrangement.count": count,
+  "arrangement.spacing": spacing,
+  "arrangement.interval": interval,
 };

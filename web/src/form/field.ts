@@ -7,6 +7,7 @@ import { sameValue } from "../params/params.ts";
 import type { Entry } from "./entry.ts";
 import type { Equation } from "./equations.ts";
 import { quantityText, read, unitText } from "./quantity.ts";
+import { slide } from "./slide.ts";
 import { travelOf } from "./travel.ts";
 import { nameOf } from "./words.ts";
 
@@ -145,11 +146,10 @@ export class BoughField extends LitElement {
   #slider(value: number): TemplateResult {
     const travel = travelOf(this.parameter);
     const { label, unit } = this.parameter;
-    // A drag that ends where it began is no change to the browser, but it ends: hence pointerup.
-    const enter = (how: Entry["how"]) => (event: Event) => {
+    const onSlide = slide((position, how) => {
       this.draft = {};
-      this.#enter(travel.value((event.target as HTMLInputElement).valueAsNumber), how);
-    };
+      this.#enter(travel.value(position), how);
+    });
     return html`<input
       type="range"
       min=${travel.min}
@@ -158,9 +158,12 @@ export class BoughField extends LitElement {
       .value=${live(String(travel.position(value)))}
       aria-label="${label}, slider"
       aria-valuetext=${quantityText(value, unit)}
-      @input=${enter("dragging")}
-      @change=${enter("settled")}
-      @pointerup=${enter("settled")}
+      @input=${onSlide}
+      @change=${onSlide}
+      @pointerup=${onSlide}
+      @keydown=${onSlide}
+      @keyup=${onSlide}
+      @blur=${onSlide}
     />`;
   }
 

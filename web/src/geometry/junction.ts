@@ -30,7 +30,7 @@ export class Junction {
   /** What the radius has more at a distance from the start. */
   swelling(distance: number): number {
     const t = this.#share(distance);
-    return this.#extra * (1 - t) ** 2 * (1 + 2 * t);
+    return this.#extra * (1 - t) * (1 - t) * (1 + 2 * t);
   }
 
   /** How fast that changes with the distance. */

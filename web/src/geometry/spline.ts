@@ -4,12 +4,6 @@ import type { Polylines } from "../plant/plant.ts";
 /** Below this share of the axis's longest segment a length counts as zero. */
 const NEGLIGIBLE = 1e-9;
 
-/** Curve parameter: span `span` (from point `span` to `span + 1` of the axis) at `u` between 0 and 1. */
-export interface Station {
-  span: number;
-  u: number;
-}
-
 /** The curve of one axis. Made for reuse: `use` points it at another axis without allocating for most axes. */
 export class Spline {
   /** How many spans (segments) the axis has. */
@@ -20,6 +14,7 @@ export class Spline {
   #first = 0;
   /** Velocity per arc length at each point: near unit length on a smooth axis, short where it folds back. */
   #slopes = new Float64Array(195);
+  #velocity = new Float64Array(3);
   /** Where the axis points when the curve has no direction of its own. */
   #fallback: [number, number, number] = [0, 1, 0];
 
@@ -52,57 +47,41 @@ export class Spline {
   }
 
   /** Coordinate k of point i of this axis. */
-  point(i: number, k: number): number {
+  #point(i: number, k: number): number {
     return this.#points[3 * (this.#first + i) + k] ?? 0;
   }
 
-  /** Position on the curve. */
-  position({ span, u }: Station, into: Float64Array): void {
-    if (this.spans === 0) {
-      for (let k = 0; k < 3; k++) into[k] = this.point(0, k);
-      return;
-    }
+  /**
+   * Writes the position on span `span` (from point `span` to `span + 1` of the axis) at `u` between 0 and 1, and the unit
+   * direction there. Where the curve has none (zero length, a cusp), `direction` keeps what it held if that was one.
+   */
+  follow(span: number, u: number, position: Float64Array, direction: Float64Array): void {
+    const points = this.#points;
+    const slopes = this.#slopes;
+    const velocity = this.#velocity;
     const length = this.#length(span);
     const v = 1 - u;
     const start = v * v * (1 + 2 * u);
     const leaving = u * v * v * length;
     const end = u * u * (3 - 2 * u);
     const arriving = -u * u * v * length;
+    // Of a span without length the slopes alone would speak, of which neither is its own.
+    const moves = length > 0 ? 1 : 0;
+    const bow = (moves * 6 * u * v) / (length || 1);
+    const off = moves * v * (1 - 3 * u);
+    const on = moves * u * (3 * u - 2);
+    const point = 3 * (this.#first + span);
     for (let k = 0; k < 3; k++) {
-      into[k] =
-        start * this.point(span, k) +
-        leaving * this.#slope(span, k) +
-        end * this.point(span + 1, k) +
-        arriving * this.#slope(span + 1, k);
+      const near = points[point + k] ?? 0;
+      const far = points[point + 3 + k] ?? 0;
+      const slope = slopes[3 * span + k] ?? 0;
+      const next = slopes[3 * span + 3 + k] ?? 0;
+      position[k] = start * near + leaving * slope + end * far + arriving * next;
+      velocity[k] = bow * (far - near) + off * slope + on * next;
     }
-  }
-
-  /** Unit direction of the curve; where it has none (zero length, a cusp), `into` keeps what it held if that was a direction. */
-  direction({ span, u }: Station, into: Float64Array): void {
-    const length = this.#length(span);
-    const bow = 6 * u * (1 - u);
-    const leaving = (1 - u) * (1 - 3 * u);
-    const arriving = u * (3 * u - 2);
-    let x = 0;
-    let y = 0;
-    let z = 0;
-    if (this.spans > 0 && length > 0) {
-      const of = (k: number) =>
-        (bow * (this.point(span + 1, k) - this.point(span, k))) / length +
-        leaving * this.#slope(span, k) +
-        arriving * this.#slope(span + 1, k);
-      x = of(0);
-      y = of(1);
-      z = of(2);
-    }
-    const speed = Math.hypot(x, y, z);
-    if (speed > 1e-6) {
-      into[0] = x / speed;
-      into[1] = y / speed;
-      into[2] = z / speed;
-    } else if (Math.hypot(into[0] ?? 0, into[1] ?? 0, into[2] ?? 0) < 0.5) {
-      into.set(this.#fallback);
-    }
+    const speed = size(velocity);
+    if (speed > 1e-6) for (let k = 0; k < 3; k++) direction[k] = (velocity[k] ?? 0) / speed;
+    else if (size(direction) < 0.5) direction.set(this.#fallback);
   }
 
   #length(span: number): number {
@@ -116,7 +95,8 @@ export class Spline {
   #measure(): void {
     let longest = 0;
     for (let span = 0; span < this.spans; span++) {
-      const length = Math.hypot(this.#chord(span, 0), this.#chord(span, 1), this.#chord(span, 2));
+      for (let k = 0; k < 3; k++) this.#velocity[k] = this.#chord(span, k);
+      const length = size(this.#velocity);
       this.lengths[span] = length;
       longest = Math.max(longest, length);
     }
@@ -135,7 +115,7 @@ export class Spline {
   }
 
   #chord(span: number, k: number): number {
-    return this.point(span + 1, k) - this.point(span, k);
+    return this.#point(span + 1, k) - this.#point(span, k);
   }
 
   /** The parabola through three neighbours gives the slope in the middle; at the ends, the parabola of the last three. */
@@ -160,4 +140,10 @@ export class Spline {
     const length = this.#length(span);
     return length > 0 ? this.#chord(span, k) / length : 0;
   }
+}
+
+/** Not Math.hypot, which takes ten times as long to be right where squares overflow. */
+function size(vector: Float64Array): number {
+  const [x, y, z] = [vector[0] ?? 0, vector[1] ?? 0, vector[2] ?? 0];
+  return Math.sqrt(x * x + y * y + z * z);
 }

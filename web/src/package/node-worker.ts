@@ -7,7 +7,7 @@ import type { Engine, EngineOptions } from "../engine/engine.ts";
 import { type Pool, type PoolOptions, startPoolOn } from "../engine/pool.ts";
 import type { Reply } from "../engine/protocol.ts";
 import { type Host, type Parts, startOn } from "../engine/start.ts";
-import { threadEngine } from "../engine/thread.ts";
+import { engineInThread } from "../engine/thread.ts";
 import { load } from "../engine/wasm.ts";
 import { fromDisk } from "./node-disk.ts";
 
@@ -15,7 +15,8 @@ export * from "./worker-api.ts";
 
 const node: Host = {
   workerEngine: (parts) => new Client("worker", connection(parts)),
-  threadEngine: (parts) => threadEngine(parts, () => load(() => fromDisk(parts.module ?? wasmAddress))),
+  threadEngine: ({ module, reason }) =>
+    engineInThread(() => load(() => fromDisk(module ?? wasmAddress)), reason),
   read: fromDisk,
   cores: availableParallelism,
 };

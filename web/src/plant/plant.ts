@@ -22,6 +22,8 @@ export interface Report {
   steps: number;
   /** Weight times length squared over EI at the base; q for a uniform axis. */
   gravityNumber: number;
+  /** With extrapolated stepping, the largest distance from the shape of exact stepping that is to be expected, over the length of the axis; null otherwise. */
+  steppingError: number | null;
 }
 
 /** Centre lines of all axes; A axes, P points. */

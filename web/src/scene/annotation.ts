@@ -4,6 +4,7 @@ import type { Frame } from "../geometry/frame.ts";
 import { rulerWithin } from "../geometry/ruler.ts";
 import type { View } from "./camera.ts";
 import { type Force, ForceArrow } from "./force.ts";
+import { freest } from "./label.ts";
 
 /** A place on the picture, CSS px from its upper left corner. */
 export interface Place {
@@ -27,6 +28,8 @@ export interface Subject {
   readonly elevation: number;
   /** How many times too thick limbs are drawn. */
   readonly girth: number;
+  /** Drawn radius of the plant's base, m. */
+  readonly foot: number;
   /** px a metre at the base. */
   readonly scale: number;
   /** A force that is to be shown. */
@@ -54,6 +57,9 @@ export class Annotation {
   readonly #bar = this.#add("path", "scale-bar");
   readonly #length = this.#add("text", "length");
   readonly #force = new ForceArrow();
+  /** Height of the angle's letters, px; its size may be a style's, so it is read anew with every size of the picture. */
+  #letter = 16;
+  #size = "";
 
   constructor() {
     this.element.append(this.#force.element);
@@ -62,8 +68,11 @@ export class Annotation {
   }
 
   draw(subject: Subject): void {
+    const size = `${subject.width} ${subject.height}`;
+    if (size !== this.#size) this.#letter = Number.parseFloat(getComputedStyle(this.#angle).fontSize) || 16;
+    this.#size = size;
     this.#drawGround(subject);
-    this.#future.setAttribute("d", subject.future.map(pathOf).join(""));
+    put(this.#future, { d: subject.future.map(pathOf).join("") });
     this.#drawElevation(subject);
     this.#drawScale(subject);
     this.#force.draw(subject.force, subject.project, 0.01 * subject.frame.height, subject);
@@ -77,7 +86,8 @@ export class Annotation {
     line(this.#ground, [project([x - span, frame.ground, 0]), project([x + span, frame.ground, 0])]);
   }
 
-  #drawElevation({ frame, base, heading, elevation, present, future, project }: Subject): void {
+  #drawElevation(subject: Subject): void {
+    const { frame, base, heading, elevation, present, future, foot, scale, project } = subject;
     const radius = 0.1 * frame.height;
     const towards = (angle: number, distance: number): Place => {
       const radians = (angle * Math.PI) / 180;
@@ -85,27 +95,28 @@ export class Annotation {
       return project([base[0] + across * heading[0], base[1] + up, base[2] + across * heading[2]]);
     };
     const corner = project(base);
-    line(this.#horizontal, [corner, towards(0, 1.4 * radius)]);
-    line(this.#rest, [corner, towards(elevation, 1.7 * radius)]);
+    const horizontal = [corner, towards(0, 1.4 * radius)];
+    const rest = [corner, towards(elevation, 1.7 * radius)];
     const steps = Math.max(2, Math.ceil(Math.abs(elevation) / 5));
-    const angles = Array.from({ length: steps + 1 }, (_, i) => (elevation * i) / steps);
-    line(
-      this.#arc,
-      angles.map((angle) => towards(angle, radius)),
-    );
-    const side = elevation < 0 ? -1 : 1;
-    const places = [
-      towards(elevation / 2, 1.4 * radius),
-      towards(elevation + 16 * side, 1.7 * radius),
-      towards(elevation, 2.1 * radius),
-      towards(elevation + 38 * side, 1.6 * radius),
+    const arc = Array.from({ length: steps + 1 }, (_, i) => towards((elevation * i) / steps, radius));
+    line(this.#horizontal, horizontal);
+    line(this.#rest, rest);
+    line(this.#arc, arc);
+    const ground = project([base[0], frame.ground, base[2]]);
+    const stem = [corner, ground];
+    const earth = [
+      { x: 0, y: ground.y },
+      { x: subject.width, y: ground.y },
     ];
-    write(
-      this.#angle,
-      freest(places, [...present, ...future].flat()),
-      `${Number(elevation.toFixed(1))}°`.replace("-", "−"),
-      "middle",
-    );
+    const text = `${Number(elevation.toFixed(1))}°`.replace("-", "−");
+    const room = { width: 0.55 * this.#letter * text.length, height: 0.8 * this.#letter };
+    const obstacles = [
+      ...present.map((places) => ({ places, thickness: foot * scale })),
+      ...future.map((places) => ({ places, thickness: 1 })),
+      ...[horizontal, rest, arc, earth].map((places) => ({ places, thickness: 1 })),
+      { places: stem, thickness: 2 * foot * scale },
+    ];
+    write(this.#angle, freest(places(elevation, radius, towards), room, obstacles, subject), text, "middle");
   }
 
   #drawScale({ scale, girth, future, width, height }: Subject): void {
@@ -113,7 +124,7 @@ export class Annotation {
     const [left, bottom] = [inset, height - inset];
     const right = left + length * scale;
     const tick = 5;
-    this.#bar.setAttribute("d", `M${left} ${bottom - tick}V${bottom}H${right.toFixed(1)}V${bottom - tick}`);
+    put(this.#bar, { d: `M${left} ${bottom - tick}V${bottom}H${right.toFixed(1)}V${bottom - tick}` });
     const legend = [text];
     if (girth > 1) legend.push(`girth ×${girth}`);
     if (future.length > 0 && width > wide) legend.push("dotted: full grown");
@@ -128,20 +139,22 @@ export class Annotation {
   }
 }
 
-/** At this distance from the plant a label is free. px */
-const clearance = 28;
-
-/** The first place that is free of the line, else the one that is farthest from it. */
-function freest(places: readonly Place[], line: readonly Place[]): Place {
-  const distances = places.map((place) =>
-    line.reduce((least, { x, y }) => Math.min(least, Math.hypot(x - place.x, y - place.y)), Infinity),
+/** Where a label of the angle may stand, best first: within the angle and beside it, ever farther out, then on the other side. */
+function places(
+  elevation: number,
+  radius: number,
+  towards: (angle: number, distance: number) => Place,
+): Place[] {
+  const side = elevation < 0 ? -1 : 1;
+  const beside = [elevation / 2, elevation + 16 * side, elevation + 38 * side, elevation + 65 * side];
+  const across = [180 - elevation / 2, -30 * side, -60 * side, 180 + 30 * side];
+  return [beside, across].flatMap((angles) =>
+    [1.4, 1.7, 2.1, 2.6, 3.2].flatMap((distance) => angles.map((angle) => towards(angle, distance * radius))),
   );
-  const free = distances.findIndex((distance) => distance >= clearance);
-  return places[free >= 0 ? free : distances.indexOf(Math.max(...distances))] ?? { x: 0, y: 0 };
 }
 
 function line(path: SVGPathElement, places: readonly Place[]): void {
-  path.setAttribute("d", pathOf(places));
+  put(path, { d: pathOf(places) });
 }
 
 function pathOf(places: readonly Place[]): string {
@@ -149,8 +162,13 @@ function pathOf(places: readonly Place[]): string {
 }
 
 function write(text: SVGTextElement, { x, y }: Place, content: string, anchor: "start" | "middle"): void {
-  text.setAttribute("x", x.toFixed(1));
-  text.setAttribute("y", y.toFixed(1));
-  text.setAttribute("text-anchor", anchor);
-  text.textContent = content;
+  put(text, { x: x.toFixed(1), y: y.toFixed(1), "text-anchor": anchor });
+  if (text.textContent !== content) text.textContent = content;
+}
+
+/** Sets only what is other than before: the browser lays text out anew for every attribute that is set. */
+function put(element: SVGElement, attributes: Readonly<Record<string, string>>): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  }
 }

@@ -38,7 +38,9 @@ export class Camera {
   readonly eye = new PerspectiveCamera(fieldOfView, 1, 0.05, 40);
   /** How it looks; `look` changes it. */
   view: View = "plane";
+  readonly #element: HTMLElement;
   readonly #controls: OrbitControls;
+  #engaged = false;
   readonly #glide = new Glide();
   #from: Pose = home.plane;
   #shift = lift;
@@ -46,17 +48,35 @@ export class Camera {
 
   /** Takes gestures on an element; calls `changed` whenever the picture must be drawn anew. */
   constructor(element: HTMLElement, changed: () => void) {
-    this.#controls = new OrbitControls(this.eye, element);
+    this.#element = element;
+    this.#controls = new OrbitControls(this.eye);
     this.#controls.zoomToCursor = true;
     this.#controls.maxPolarAngle = MathUtils.degToRad(93);
     this.#controls.minDistance = 0.02;
     this.#controls.maxDistance = 4 * distance;
     this.#controls.maxTargetRadius = 2;
-    this.#controls.listenToKeyEvents(element);
     this.#controls.addEventListener("start", () => this.#take());
-    this.#controls.addEventListener("change", changed);
+    this.#controls.addEventListener("change", () => {
+      // By keys, too, which have no start.
+      this.#take();
+      changed();
+    });
     this.#allow();
     this.#put(home.plane);
+    this.engaged = true;
+  }
+
+  /** Whether it takes gestures; if not, they are all the page's. */
+  set engaged(engaged: boolean) {
+    if (engaged === this.#engaged) return;
+    this.#engaged = engaged;
+    if (engaged) {
+      this.#controls.connect(this.#element);
+      this.#controls.listenToKeyEvents(this.#element);
+    } else {
+      this.#controls.disconnect();
+      this.#element.style.removeProperty("cursor");
+    }
   }
 
   /** Whether a person has moved the camera away from where the frame fits. */
@@ -102,7 +122,7 @@ export class Camera {
   }
 
   dispose(): void {
-    this.#controls.dispose();
+    this.engaged = false;
   }
 
   /** From now on the camera is where the person puts it. */

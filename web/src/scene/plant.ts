@@ -35,7 +35,7 @@ export class PlantMesh {
     for (const [name, , size] of attributes) {
       upload(geometry.getAttribute(name) as BufferAttribute, size * tubes.vertexCount);
     }
-    if (geometry.index) upload(geometry.index, tubes.indexCount);
+    if (geometry.index && tubes.recut) upload(geometry.index, tubes.indexCount);
     geometry.setDrawRange(0, tubes.indexCount);
   }
 

@@ -1,5 +1,5 @@
 /** The picture of a plant: everything that is drawn, in an element of the page. */
-import { type Matrix4, PCFShadowMap, Vector3, WebGLRenderer } from "three";
+import { Matrix4, Vector3 } from "three";
 import type { Vector } from "../geometry/bounds.ts";
 import type { Frame } from "../geometry/frame.ts";
 import { paintOf } from "../geometry/legend.ts";
@@ -15,8 +15,9 @@ import type { Force } from "./force.ts";
 import { Framing } from "./framing.ts";
 import { Morph } from "./morph.ts";
 import type { Tone } from "./palette.ts";
+import { Press, type Sheet } from "./press.ts";
 import { toClip, toPicture, unproject } from "./sight.ts";
-import { World } from "./world.ts";
+import { placedAt } from "./world.ts";
 
 /** How a plant is drawn. */
 export type Style = "limb" | "model";
@@ -63,48 +64,82 @@ const fingerBreadth = 22;
 
 /**
  * Draws on demand: there are no frames while nothing changes. The canvas dispatches `bough-due` when a picture is asked
- * for, and `bough-drawn` when it is there. The constructor throws when the browser has no WebGL 2.
- * When the graphics card drops the picture, the last good one stays, and the canvas dispatches `bough-lost`, later
- * `bough-restored`.
+ * for, and `bough-drawn` when it is there. The last good picture stays when the press is taken away, and when the graphics
+ * card drops it: then the canvas dispatches `bough-lost`, later `bough-restored`.
  */
 export class Stage {
   /** Takes the gestures and the keyboard focus. */
   readonly canvas: HTMLCanvasElement;
   readonly #host: HTMLElement;
-  readonly #renderer: WebGLRenderer;
-  readonly #poster = document.createElement("canvas");
+  readonly #pen: CanvasRenderingContext2D;
   readonly #annotation = new Annotation();
-  readonly #world = new World();
   readonly #framing = new Framing();
   readonly #morph = new Morph();
   readonly #camera: Camera;
   readonly #resizes: ResizeObserver;
   readonly #stillness = matchMedia("(prefers-reduced-motion: reduce)");
+  /** From m to scene units, in the last picture. */
+  readonly #meters = new Matrix4();
+  #press: Press | null = null;
+  #farewell = new AbortController();
   #force: Force | null = null;
   #request = 0;
+  #isDue = false;
   #width = 0;
   #height = 0;
+  #density = 1;
   #shown: Shown | null = null;
-  /** What the mesh holds. */
-  #drawn: { axes: Axes; shown: Shown; girth: number } | null = null;
+  #sheet: { sheet: Sheet; shown: Shown } | null = null;
 
-  /** Fills an element, which must have a size of its own and be positioned. */
-  constructor(host: HTMLElement) {
-    this.#renderer = new WebGLRenderer({ antialias: true, alpha: true });
-    this.#renderer.shadowMap.enabled = true;
-    this.#renderer.shadowMap.type = PCFShadowMap;
-    this.canvas = this.#renderer.domElement;
+  /**
+   * Fills an element, which must have a size of its own and be positioned. Without a press it has no pictures until it
+   * gets one. Throws when the browser has no WebGL 2.
+   */
+  constructor(host: HTMLElement, press: Press | null = new Press()) {
+    this.canvas = document.createElement("canvas");
+    const pen = this.canvas.getContext("2d");
+    if (!pen) throw new Error("This browser has no canvas to draw on.");
+    this.#pen = pen;
     this.canvas.className = "picture";
-    this.#poster.className = "poster";
-    this.#poster.hidden = true;
     this.#host = host;
-    host.append(this.#poster, this.canvas, this.#annotation.element);
+    host.append(this.canvas, this.#annotation.element);
     this.#camera = new Camera(this.canvas, () => this.#invalidate());
-    this.canvas.addEventListener("webglcontextlost", () => this.#lose());
-    this.canvas.addEventListener("webglcontextrestored", () => this.#restore());
+    // The browser may drop the canvas's own picture, too.
+    this.canvas.addEventListener("contextrestored", () => this.#invalidate());
     this.#resizes = new ResizeObserver(() => this.#resize());
     this.#resizes.observe(host);
     this.#resize();
+    this.attach(press);
+  }
+
+  /** The press that prints the pictures, if there is one. */
+  get press(): Press | null {
+    return this.#press;
+  }
+
+  /** Takes another press, or none: then the last picture stays. */
+  attach(press: Press | null): void {
+    if (press === this.#press) return;
+    this.#farewell.abort();
+    press?.join();
+    this.#press?.leave();
+    this.#press = press;
+    if (!press) return;
+    this.#farewell = new AbortController();
+    const { signal } = this.#farewell;
+    press.addEventListener("lost", () => this.#tell("bough-lost"), { signal });
+    press.addEventListener("restored", () => this.#restore(), { signal });
+    if (this.#isDue) this.#invalidate();
+  }
+
+  /** Whether the last picture of a plant is not what it should be: without a press it stays so. */
+  get isDue(): boolean {
+    return this.#isDue && this.#shown !== null;
+  }
+
+  /** Whether pointer, wheel and keys move the camera. Where they do not, a touch scrolls the page. */
+  set engaged(engaged: boolean) {
+    this.#camera.engaged = engaged;
   }
 
   /**
@@ -121,7 +156,6 @@ export class Stage {
     this.#camera.look(view, now, jumps);
     if (jumps) this.#framing.finish();
     if (this.#shown?.plant !== plant) this.#morph.turn(plant, now, jumps ? 0 : passage);
-    this.#world.tint(tone);
     const isTooMuch = style === "model" && plant.segments.point.length > mostModelled;
     const model = style === "model" && !isTooMuch ? lumpingOf(plant) : null;
     this.#shown = { plant, grown, paint: paintOf(plant, color, grown), model, tone };
@@ -138,7 +172,7 @@ export class Stage {
 
   /** Where a point of the world (m) is on the picture, in CSS px from its upper left corner. */
   project([x, y, z]: Vector): Place {
-    const point = new Vector3(x, y, z).applyMatrix4(this.#world.meters.matrixWorld).project(this.#camera.eye);
+    const point = new Vector3(x, y, z).applyMatrix4(this.#meters).project(this.#camera.eye);
     return { x: (0.5 + 0.5 * point.x) * this.#width, y: (0.5 - 0.5 * point.y) * this.#height };
   }
 
@@ -147,7 +181,7 @@ export class Stage {
    * coordinates, as pointer events have them.
    */
   pick(clientX: number, clientY: number): Pick | null {
-    const axes = this.#drawn?.axes;
+    const axes = this.#sheet?.sheet.axes;
     if (!axes) return null;
     const { x, y } = this.#onPicture(clientX, clientY);
     const clip = this.#clip();
@@ -167,7 +201,7 @@ export class Stage {
    * picture; in the space view, that of the axis which bears the `segment`, or without one the plane that faces the eye.
    */
   unproject(clientX: number, clientY: number, through: Vector, segment?: number): Vector {
-    const axes = this.#drawn?.axes;
+    const axes = this.#sheet?.sheet.axes;
     const own = axes && segment !== undefined ? headingOf(axes, segment) : null;
     const heading = this.#camera.view === "plane" ? ([1, 0, 0] as const) : own;
     const picture = toPicture(this.#clip(), this.#width, this.#height);
@@ -192,48 +226,61 @@ export class Stage {
     this.#invalidate();
   }
 
-  /** Frees the graphics card: browsers keep few contexts. */
+  /** Lets go of the press, and leaves the element. */
   dispose(): void {
     cancelAnimationFrame(this.#request);
     this.#resizes.disconnect();
     this.#camera.dispose();
-    this.#world.dispose();
-    this.#renderer.dispose();
-    this.#renderer.forceContextLoss();
-    this.#host.replaceChildren();
+    this.attach(null);
+    this.canvas.remove();
+    this.#annotation.element.remove();
   }
 
   #invalidate(): void {
+    this.#isDue = true;
     if (this.#request !== 0) return;
     this.#request = requestAnimationFrame((now) => this.#draw(now));
-    this.canvas.dispatchEvent(new CustomEvent("bough-due", { bubbles: true }));
+    this.#tell("bough-due");
   }
 
   #draw(now: number): void {
     this.#request = 0;
     const placed = this.#framing.at(now);
     const shape = this.#morph.at(now);
-    const isLost = this.#renderer.getContext().isContextLost();
-    if (!placed || !shape || !this.#shown || this.#width === 0 || isLost) return;
+    if (!placed || !shape || !this.#shown || this.#width === 0 || !this.#press || this.#press.isLost) return;
     const turns = this.#camera.advance(now);
+    this.#isDue = false;
     if (placed.moves || shape.moves || turns) this.#invalidate();
-    this.#fill(shape.axes, this.#shown);
-    this.#world.place(placed.frame, this.#framing.foot);
-    this.#renderer.render(this.#world.scene, this.#camera.eye);
-    this.#keep();
-    this.#annotate(placed.frame, shape.axes, this.#shown);
+    const { frame } = placed;
+    const { foot } = this.#framing;
+    const { eye } = this.#camera;
+    placedAt(frame, this.#meters);
+    const sheet = this.#sheetOf(shape.axes, this.#shown);
+    // Only now, as it wipes the canvas.
+    this.#sharpen();
+    this.#press.print({ sheet, tone: this.#shown.tone, frame, foot, eye }, this.#pen);
+    this.#annotate(frame, shape.axes, this.#shown);
     const detail: Drawn = { projection: this.#clip().toArray(), moving: this.moving };
-    this.canvas.dispatchEvent(new CustomEvent("bough-drawn", { bubbles: true, detail }));
+    this.#tell("bough-drawn", detail);
   }
 
-  /** Makes the mesh anew, if it is about anything else than before. */
-  #fill(axes: Axes, shown: Shown): void {
+  /** Gives the canvas as many pixels as the screen has there. */
+  #sharpen(): void {
+    const [width, height] = [this.#width, this.#height].map((size) => Math.round(size * this.#density));
+    if (width && this.canvas.width !== width) this.canvas.width = width;
+    if (height && this.canvas.height !== height) this.canvas.height = height;
+  }
+
+  /** What is to be printed; the very same as before, if nothing in it changed. */
+  #sheetOf(axes: Axes, shown: Shown): Sheet {
     const { girth, extent } = this.#framing;
-    const drawn = this.#drawn;
-    if (drawn && drawn.axes === axes && drawn.girth === girth && looksLike(drawn.shown, shown)) return;
+    const old = this.#sheet;
+    const isSame = old?.sheet.axes === axes && old.sheet.look.girth === girth && looksLike(old.shown, shown);
+    if (old && isSame) return old.sheet;
     const { grown, paint, model } = shown;
-    this.#world.show(axes, { grownSteps: grown.report.steps, girth, paint, model, extent });
-    this.#drawn = { axes, shown, girth };
+    const sheet = { axes, look: { grownSteps: grown.report.steps, girth, paint, model, extent } };
+    this.#sheet = { sheet, shown };
+    return sheet;
   }
 
   #annotate(frame: Frame, axes: Axes, { plant, grown, model }: Shown): void {
@@ -247,6 +294,7 @@ export class Stage {
       future: plant.report.steps < grown.report.steps ? this.#lines(grown) : [],
       elevation: plant.params.axis.elevation,
       girth: model ? 1 : this.#framing.girth,
+      foot: this.#framing.foot,
       scale: this.#pixelsPerMeter(frame.height),
       force: this.#force,
       width: this.#width,
@@ -283,7 +331,7 @@ export class Stage {
 
   /** From m to clip coordinates. */
   #clip(): Matrix4 {
-    return toClip(this.#camera.eye, this.#world.meters.matrixWorld);
+    return toClip(this.#camera.eye, this.#meters);
   }
 
   /** From client coordinates to those of the picture. */
@@ -292,37 +340,23 @@ export class Stage {
     return { x: clientX - left, y: clientY - top };
   }
 
-  /** Copies the picture while it is there: it is all that is left when the graphics card drops the context. */
-  #keep(): void {
-    const { width, height } = this.canvas;
-    if (this.#poster.width !== width) this.#poster.width = width;
-    if (this.#poster.height !== height) this.#poster.height = height;
-    const pen = this.#poster.getContext("2d");
-    pen?.clearRect(0, 0, width, height);
-    pen?.drawImage(this.canvas, 0, 0);
-  }
-
-  #lose(): void {
-    this.#poster.hidden = false;
-    this.canvas.dispatchEvent(new CustomEvent("bough-lost", { bubbles: true }));
-  }
-
   #restore(): void {
-    this.#poster.hidden = true;
     this.#invalidate();
-    this.canvas.dispatchEvent(new CustomEvent("bough-restored", { bubbles: true }));
+    this.#tell("bough-restored");
+  }
+
+  #tell(type: string, detail?: Drawn): void {
+    this.canvas.dispatchEvent(new CustomEvent(type, { bubbles: true, detail }));
   }
 
   #resize(): void {
     const { clientWidth: width, clientHeight: height } = this.#host;
     const density = Math.min(devicePixelRatio, finest);
     if (width === 0 || height === 0) return;
-    if (width === this.#width && height === this.#height && density === this.#renderer.getPixelRatio())
-      return;
+    if (width === this.#width && height === this.#height && density === this.#density) return;
     this.#width = width;
     this.#height = height;
-    this.#renderer.setPixelRatio(density);
-    this.#renderer.setSize(width, height);
+    this.#density = density;
     this.#camera.resize(width, height);
     this.#framing.resize({ width, height });
     this.#invalidate();

@@ -5,6 +5,8 @@ import type { Palette } from "./palette.ts";
 export class Stand {
   readonly mesh: Mesh;
   readonly #material = new MeshStandardMaterial({ roughness: 0.9, metalness: 0 });
+  /** What the geometry was made for. */
+  #shape = { radius: 0, height: 0 };
 
   constructor() {
     this.mesh = new Mesh(new LatheGeometry(), this.#material);
@@ -23,6 +25,8 @@ export class Stand {
     if (!this.mesh.visible) return;
     const radius = Math.max(1.5 * limb, 0.012);
     this.mesh.position.set(base.x, ground, base.z - radius);
+    if (radius === this.#shape.radius && height === this.#shape.height) return;
+    this.#shape = { radius, height };
     this.mesh.geometry.dispose();
     this.mesh.geometry = new LatheGeometry(profile(radius, height + 2.5 * radius), 40);
   }

@@ -1,5 +1,5 @@
 /** What is in the picture, lit and in its place. One scene unit is the height of the frame, whatever the plant's size. */
-import { Group, Scene } from "three";
+import { Group, Matrix4, Scene, Vector3 } from "three";
 import type { Frame } from "../geometry/frame.ts";
 import { type Lumping, modelOf } from "../geometry/model.ts";
 import { type Paint, shadesOf } from "../geometry/shade.ts";
@@ -28,7 +28,7 @@ export interface Look {
 export class World {
   readonly scene = new Scene();
   /** Holds the plant in m and turns it into scene units. */
-  readonly meters = new Group();
+  readonly #meters = new Group();
   readonly #plant = new PlantMesh();
   readonly #model = new ModelMesh();
   readonly #light = new Light();
@@ -37,8 +37,9 @@ export class World {
   #tone: Tone | null = null;
 
   constructor() {
-    this.meters.add(this.#plant.mesh, this.#model.group);
-    this.scene.add(this.#light.group, this.#ground.group, this.#stand.mesh, this.meters);
+    this.#meters.matrixAutoUpdate = false;
+    this.#meters.add(this.#plant.mesh, this.#model.group);
+    this.scene.add(this.#light.group, this.#ground.group, this.#stand.mesh, this.#meters);
   }
 
   /** Takes the colours of a tone. */
@@ -68,14 +69,13 @@ export class World {
   }
 
   /** Puts a frame in front of the camera; `foot` is the drawn radius of the plant's base, m. */
-  place({ center, height, ground }: Frame, foot: number): void {
-    const unit = 1 / height;
-    const [x, y, z] = [-center[0] * unit, -center[1] * unit, -center[2] * unit];
-    this.meters.scale.setScalar(unit);
-    this.meters.position.set(x, y, z);
+  place(frame: Frame, foot: number): void {
+    const unit = 1 / frame.height;
+    placedAt(frame, this.#meters.matrix);
+    const { x, y, z } = new Vector3().setFromMatrixPosition(this.#meters.matrix);
     this.#plant.material.measure(unit);
-    this.#ground.place({ x, z }, y + ground * unit, ground < 0 ? 0 : foot * unit);
-    this.#stand.place({ x, y, z }, y + ground * unit, foot * unit);
+    this.#ground.place({ x, z }, y + frame.ground * unit, frame.ground < 0 ? 0 : foot * unit);
+    this.#stand.place({ x, y, z }, y + frame.ground * unit, foot * unit);
     this.scene.updateMatrixWorld();
   }
 
@@ -86,4 +86,9 @@ export class World {
     this.#ground.dispose();
     this.#stand.dispose();
   }
+}
+
+/** From m to scene units, for a frame in front of the camera. */
+export function placedAt({ center: [x, y, z], height }: Frame, matrix: Matrix4): void {
+  matrix.makeTranslation(-x, -y, -z).premultiply(new Matrix4().makeScale(1 / height, 1 / height, 1 / height));
 }

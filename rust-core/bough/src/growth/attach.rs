@@ -1,6 +1,7 @@
 //! How new segments are attached: at the tip of a growing axis, or as the first ones of two children at a fork.
 
 use super::axis::Axis;
+use super::pipes::FirstPipe;
 use super::state::Growth;
 use super::tropism::{elasticity, turned};
 use super::wood::Wood;
@@ -12,7 +13,9 @@ use crate::plant::Section;
 impl Growth {
     /// Every growing axis gains a segment; every axis that was full grown before this step forks.
     pub(super) fn extend(&mut self) {
-        for axis in 0..self.state.axes.len() {
+        let grown = self.state.axes.len();
+        // All forks come before all children: the rods are numbered level by level.
+        for axis in 0..grown {
             let Axis { generation, segments, forked, .. } = self.state.axes[axis];
             let generation = generation as usize;
             if (segments as usize) < self.plan.generations[generation].length.len() {
@@ -20,6 +23,9 @@ impl Growth {
             } else if generation + 1 < self.plan.generations.len() && !forked {
                 self.fork(axis);
             }
+        }
+        for child in grown..self.state.axes.len() {
+            self.extend_axis(child);
         }
     }
 
@@ -56,13 +62,12 @@ impl Growth {
             birth_radius,
             axis: axis as u32,
             birth: self.state.step,
-            first_pipe: self.state.step,
             joint_length,
-            pipe_stiffness,
-            pipe_mass: self.params.material.density * Section::new(birth_radius).area() * length,
             branching_turn: turn,
         };
-        let rod = self.push(bearer, length, rest, wood);
+        let mass = self.params.material.density * Section::new(birth_radius).area() * length;
+        let since = f64::from(self.state.step) - 1.0;
+        let rod = self.push(bearer, length, rest, wood, FirstPipe { since, stiffness: pipe_stiffness, mass });
         let axis = &mut self.state.axes[axis];
         axis.segments += 1;
         axis.bearer = rod;
@@ -81,9 +86,10 @@ impl Growth {
             let pipe_stiffness = 2.0 * self.rigidity(tip.birth_radius) / length;
             let rest = self.tropic_turn(bearer, 0.0, joint_length);
             let birth = self.state.step;
-            let node =
-                Wood { birth, joint_length, pipe_stiffness, pipe_mass: 0.0, branching_turn: 0.0, ..tip };
-            bearer = self.push(bearer, 0.0, rest, node);
+            let node = Wood { birth, joint_length, branching_turn: 0.0, ..tip };
+            let since = self.state.pipes.since[bearer as usize];
+            let pipe = FirstPipe { since, stiffness: pipe_stiffness, mass: 0.0 };
+            bearer = self.push(bearer, 0.0, rest, node, pipe);
         }
         let fork = self.plan.fork;
         let plan = &self.plan.generations[parent.generation as usize];
@@ -91,7 +97,6 @@ impl Growth {
         let side = rolled_side(&self.params);
         let children = [(fork.thicker, side * fork.thicker_turn), (fork.thinner, -side * fork.thinner_turn)];
         for (width, branching_turn) in children {
-            let child = self.state.axes.len();
             self.state.axes.push(Axis {
                 generation: parent.generation + 1,
                 base_radius: width * tip_radius,
@@ -101,16 +106,16 @@ impl Growth {
                 segments: 0,
                 forked: false,
             });
-            self.extend_axis(child);
         }
     }
 
     /// Adds a rod, at rest in the direction that it has from its bearer; returns its index.
-    fn push(&mut self, bearer: u32, length: f64, rest: f64, wood: Wood) -> u32 {
+    fn push(&mut self, bearer: u32, length: f64, rest: f64, wood: Wood, pipe: FirstPipe) -> u32 {
         let rod = self.rods();
         self.state.wood.push(wood);
+        self.state.pipes.push(pipe);
         let pipes = f64::from(self.pipes(rod));
-        self.state.linkage.push(bearer, length, pipes * pipes * wood.pipe_stiffness, rest);
+        self.state.linkage.push(bearer, length, pipes * pipes * pipe.stiffness, rest);
         if self.turns() {
             self.angle.push(self.direction(bearer) + rest);
         }

@@ -36,7 +36,7 @@ impl Fork {
         let thinner = girth_ratio * thicker;
         let (d1, d2) = (thicker * thicker, thinner * thinner);
         let excess = libm::expm1(libm::log1p(girth_ratio * girth_ratio) - 2.0 / exponent * sum).max(0.0);
-        let turn = |sine_squared: f64| 2.0 * libm::asin(sine_squared.clamp(0.0, 1.0).sqrt());
+        let turn = |sine_squared: f64| 2.0 * libm::asin(libm::sqrt(sine_squared.clamp(0.0, 1.0)));
         Fork {
             thicker,
             thinner,

@@ -1,7 +1,10 @@
 //! The plant at any age, without keeping every age.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::pull::Grip;
-use super::state::{Growth, State};
+use super::state::{Growth, STRIDE, State};
 use super::stem;
 use crate::params::{Arrangement, ArrangementPattern, BoughError, Params, PointForce};
 use crate::plant::Plant;
@@ -9,7 +12,7 @@ use crate::plant::Plant;
 /// About how many bytes all checkpoints together may take.
 const CHECKPOINT_BYTES: usize = 64 << 20;
 /// Most checkpoints kept, however small they are.
-const MOST_CHECKPOINTS: usize = 256;
+const MOST_CHECKPOINTS: usize = 64;
 
 /// Grows a plant to its last step.
 ///
@@ -60,7 +63,7 @@ impl History {
         let growth = Growth::new(params)?;
         let state = 16 * size_of::<f64>() * growth.full_grown_segments();
         let kept = (CHECKPOINT_BYTES / state.max(1)).clamp(1, MOST_CHECKPOINTS);
-        let interval = growth.steps().div_ceil(kept as u32).max(1);
+        let interval = growth.steps().div_ceil(kept as u32).next_multiple_of(STRIDE);
         let checkpoints = vec![growth.state.clone()];
         Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None })
     }

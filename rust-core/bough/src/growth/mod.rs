@@ -2,8 +2,10 @@
 
 mod attach;
 mod axis;
+mod extrapolation;
 mod fork;
 mod history;
+mod pipes;
 mod plan;
 mod plant;
 mod pull;

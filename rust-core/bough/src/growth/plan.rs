@@ -1,6 +1,9 @@
 //! What is known before growth begins: how many segments the axes of each generation have, how long and how
 //! thick they are, and how an axis forks.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use core::f64::consts::PI;
 
 use super::fork::Fork;

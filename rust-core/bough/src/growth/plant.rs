@@ -1,10 +1,13 @@
 //! From the state of growth to the result arrays.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::state::Growth;
 use super::wood::Wood;
 use crate::angle::Degrees;
 use crate::mechanics::{GROUND, Linkage, Report};
-use crate::params::{Stepping, Thickening};
+use crate::params::Thickening;
 use crate::plant::{Plant, Polylines, Segments};
 use crate::trigonometry::sin_cos;
 
@@ -100,7 +103,8 @@ fn radii<'a>(growth: &'a Growth, axis: usize, rods: &'a [u32]) -> impl Iterator<
 
 fn segments(growth: &Growth, linkage: &Linkage, angle: &[f64], rods: &RodsOfAxes) -> Segments {
     let (base_sin, base_cos) = Degrees(0.5 * growth.params.axis.elevation.0).sin_cos();
-    let stress = stress(growth, linkage);
+    let foreseen = (!growth.foreseen_stress.is_empty()).then(|| growth.foreseen_stress.clone());
+    let stress = foreseen.unwrap_or_else(|| stress(growth, linkage));
     let mut segment_of_rod = vec![-1; linkage.len()];
     let mut grown = vec![0; growth.state.axes.len()];
     let mut segments = Segments::default();
@@ -134,26 +138,32 @@ fn segments(growth: &Growth, linkage: &Linkage, angle: &[f64], rods: &RodsOfAxes
 
 /// Largest fibre stress at every rod's base joint: over its pipes, `E r |mu - phi| / s`, each pipe with its own
 /// outer radius and the rest angle it was laid with.
-fn stress(growth: &Growth, linkage: &Linkage) -> Vec<f64> {
+pub(super) fn stress(growth: &Growth, linkage: &Linkage) -> Vec<f64> {
     let wood = &growth.state.wood;
     let modulus = growth.params.material.youngs_modulus;
     let strain =
         |rod: usize, radius: f64, deviation: f64| modulus * radius * deviation.abs() / wood[rod].joint_length;
-    let remembered = growth.params.growth.thickening == Thickening::Pipes
-        && growth.params.solver.stepping == Stepping::Exact;
+    let remembered = growth.params.growth.thickening == Thickening::Pipes && growth.is_exact();
     if !remembered {
         let whole = |rod: usize| strain(rod, growth.section(rod).radius(), linkage.deviation[rod]);
         return (0..wood.len()).map(whole).collect();
     }
-    let mut stress = vec![0.0_f64; wood.len()];
-    let mut rest = growth.laid.iter();
+    // The p-th pipe's radius is the first one's times the root of p, so what counts is the largest p (mu - phi)^2.
+    let mut largest = vec![0.0_f64; wood.len()];
+    let angle: Vec<f64> = (0..wood.len()).map(|rod| linkage.joint_angle(rod)).collect();
+    let mut laid = &growth.laid[..];
     for step in 1..=growth.state.step {
-        for (rod, wood) in wood.iter().enumerate().take_while(|(_, wood)| wood.birth <= step) {
-            let Some(rest) = rest.next() else { break };
-            let pipe = f64::from(step - wood.birth + 1);
-            let radius = wood.birth_radius * pipe.sqrt();
-            stress[rod] = stress[rod].max(strain(rod, radius, linkage.joint_angle(rod) - rest));
+        let rods = wood.partition_point(|wood| wood.birth <= step);
+        let Some((rest, later)) = laid.split_at_checked(rods) else { break };
+        laid = later;
+        let (since, angle) = (&growth.state.pipes.since[..rods], &angle[..rods]);
+        let (largest, step) = (&mut largest[..rods], f64::from(step));
+        for rod in 0..rods {
+            let deviation = angle[rod] - rest[rod];
+            let strained = (step - since[rod]) * deviation * deviation;
+            largest[rod] = if strained > largest[rod] { strained } else { largest[rod] };
         }
     }
-    stress
+    let of_pipes = |(rod, largest): (usize, f64)| strain(rod, wood[rod].birth_radius, libm::sqrt(largest));
+    largest.into_iter().enumerate().map(of_pipes).collect()
 }

@@ -1,5 +1,7 @@
 //! Pulling at a grown plant: forces that are given, and the force that holds a point where a pointer wants it.
 
+use alloc::vec;
+
 use super::plant::{assemble, segments_of};
 use super::state::Growth;
 use crate::angle::Degrees;
@@ -87,7 +89,10 @@ fn turned(elevation: Degrees, [x, y]: [f64; 2], sign: f64) -> [f64; 2] {
 }
 
 /// Adds a force on the distal end of a rod to the loads of all rods that bear it.
-fn act(linkage: &Linkage, loads: &mut Loads, rod: usize, [x, y]: [f64; 2]) {
+pub(super) fn act(linkage: &Linkage, loads: &mut Loads, rod: usize, [x, y]: [f64; 2]) {
+    if [x, y] == [0.0; 2] {
+        return;
+    }
     let mut rod = rod as u32;
     while rod != GROUND {
         loads.x[rod as usize] += x;

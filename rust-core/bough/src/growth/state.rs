@@ -1,14 +1,23 @@
 //! A plant in growth, one step at a time.
 
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::axis::Axis;
+use super::extrapolation::foresee;
+use super::pipes::Pipes;
 use super::plan::Plan;
 use super::trend::Trend;
 use super::wood::Wood;
 use crate::mechanics::{
     Elimination, GROUND, Linkage, Loads, Outcome, Relaxation, Report, Settings, Status, Workspace, settle,
 };
-use crate::params::{BoughError, Method, Params, Stepping, Thickening, check};
-use crate::plant::{Plant, Section};
+use crate::params::{BoughError, Method, Params, Stepping, Thickening, check, is_foreseeable};
+use crate::plant::Plant;
+
+/// Every so many steps growth goes on from its state alone; states are kept for that ([`super::History`]).
+pub(super) const STRIDE: u32 = 16;
 
 /// All that changes as the plant grows; two equal states grow on equally.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +25,7 @@ pub(super) struct State {
     pub(super) step: u32,
     pub(super) linkage: Linkage,
     pub(super) wood: Vec<Wood>,
+    pub(super) pipes: Pipes,
     pub(super) axes: Vec<Axis>,
     /// The loads with which the linkage is in equilibrium.
     pub(super) loads: Loads,
@@ -44,15 +54,21 @@ pub struct Growth {
     pub(super) laid: Vec<f64>,
     /// Where new wood turns: direction of every rod when the step began, in the frame of the base direction.
     pub(super) angle: Vec<f64>,
-    underway: Option<Underway>,
+    /// Largest fibre stress of every rod, where growth was foreseen instead of stepped through.
+    pub(super) foreseen_stress: Vec<f64>,
+    pub(super) underway: Option<Underway>,
+    /// The loads with which the plant was in equilibrium when the step began.
+    pub(super) before: Loads,
+    /// How the deviations are expected to change; a buffer, like the next.
+    guess: Vec<f64>,
     workspace: Workspace,
 }
 
 /// What is left to do in a step whose new wood is attached.
 #[derive(Clone, Debug)]
-enum Underway {
-    /// All of it, from equilibrium with these loads.
-    Newton(Loads),
+pub(super) enum Underway {
+    /// All of it.
+    Newton,
     /// The rest of this relaxation.
     Euler(Box<Relaxation>),
 }
@@ -82,7 +98,10 @@ impl Growth {
             state: State { axes: vec![main], ..State::default() },
             laid: Vec::new(),
             angle: Vec::new(),
+            foreseen_stress: Vec::new(),
             underway: None,
+            before: Loads::default(),
+            guess: Vec::new(),
             workspace: Workspace::default(),
         })
     }
@@ -153,6 +172,9 @@ impl Growth {
     fn begin(&mut self, target: u32) {
         let pipes = self.params.growth.thickening == Thickening::Pipes;
         if self.is_exact() {
+            if self.state.step % STRIDE == 0 {
+                self.workspace.forget();
+            }
             self.state.step += 1;
             if pipes {
                 self.thicken();
@@ -174,30 +196,31 @@ impl Growth {
                 self.extend();
             }
             self.thicken();
+            if self.params.solver.stepping == Stepping::Extrapolated {
+                self.remember_what_is_foreseen();
+            }
         }
-        let masses = self.lumped_masses();
-        let loads = self.weigh(&masses);
-        let before = core::mem::replace(&mut self.state.loads, loads);
+        self.weigh();
         self.underway = Some(match self.params.solver.method {
-            Method::Newton => Underway::Newton(before),
+            Method::Newton => Underway::Newton,
             Method::Euler => {
                 let (linkage, loads) = (self.state.linkage.clone(), self.state.loads.clone());
-                Underway::Euler(Box::new(Relaxation::new(linkage, loads, masses)))
+                Underway::Euler(Box::new(Relaxation::new(linkage, loads, self.lumped_masses())))
             }
         });
     }
 
     /// Brings the plant to rest, or as far as the budget goes.
-    fn settle(&mut self, budget: &mut u64) {
+    pub(super) fn settle(&mut self, budget: &mut u64) {
         let settings = Settings { tolerance: self.params.solver.tolerance };
         let outcome = match self.underway.take() {
             None => return,
-            Some(Underway::Newton(before)) => {
+            Some(Underway::Newton) => {
                 let State { linkage, loads, trend, .. } = &mut self.state;
-                let start = linkage.deviation.clone();
-                let guess = trend.next();
-                let outcome = settle(linkage, &before, loads, &guess, settings, &mut self.workspace);
-                trend.note(&start, &linkage.deviation);
+                trend.expect(&mut self.guess);
+                let outcome =
+                    settle(linkage, &self.before, loads, &self.guess, settings, &mut self.workspace);
+                trend.note(&self.workspace.start, &linkage.deviation);
                 *budget = budget.saturating_sub(self.rods() as u64);
                 outcome
             }
@@ -220,8 +243,28 @@ impl Growth {
     }
 
     /// Whether every step ends in equilibrium, so that the plant remembers.
-    fn is_exact(&self) -> bool {
-        self.params.solver.stepping == Stepping::Exact
+    pub(super) fn is_exact(&self) -> bool {
+        match self.params.solver.stepping {
+            Stepping::Exact => true,
+            Stepping::Static => false,
+            Stepping::Extrapolated => !is_foreseeable(&self.params),
+        }
+    }
+
+    /// Gives the unloaded axis the rest angles that exact growth would have left, and the deviations to start from.
+    fn remember_what_is_foreseen(&mut self) {
+        let forecast = foresee(&self.params, self.state.step);
+        let State { linkage, wood, report, .. } = &mut self.state;
+        report.stepping_error = Some(forecast.error);
+        report.status = forecast.status;
+        report.iterations = forecast.iterations;
+        report.unstable_since = forecast.unstable_since;
+        let joints = forecast.rest_curvature.iter().zip(&forecast.moment).zip(wood);
+        for (joint, ((rest_curvature, moment), wood)) in joints.enumerate() {
+            linkage.rest[joint] = rest_curvature * wood.joint_length;
+            linkage.deviation[joint] = moment / linkage.stiffness[joint];
+        }
+        self.foreseen_stress = forecast.stress;
     }
 
     /// Whether new wood turns, so that directions matter.
@@ -236,40 +279,6 @@ impl Growth {
             self.state.linkage.angles(&mut angle);
             self.angle = angle;
         }
-    }
-
-    /// How many pipes a rod has.
-    pub(super) fn pipes(&self, rod: usize) -> u32 {
-        match self.params.growth.thickening {
-            Thickening::None => 1,
-            Thickening::Pipes => self.state.step - self.state.wood[rod].first_pipe + 1,
-        }
-    }
-
-    /// The cross-section of a segment.
-    pub(super) fn section(&self, rod: usize) -> Section {
-        Section { birth_radius: self.state.wood[rod].birth_radius, pipes: self.pipes(rod) }
-    }
-
-    /// Gives every rod the stiffness of its present pipes, the new ones unstressed in the present shape (equations 36
-    /// to 40): the torque stays what it was, so the deviation shrinks as the stiffness grows, and the rest angle takes
-    /// up the difference.
-    fn thicken(&mut self) {
-        for rod in 0..self.rods() {
-            let pipes = f64::from(self.pipes(rod));
-            let stiffness = pipes * pipes * self.state.wood[rod].pipe_stiffness;
-            let linkage = &mut self.state.linkage;
-            let deviation = linkage.deviation[rod] * (linkage.stiffness[rod] / stiffness);
-            linkage.rest[rod] += linkage.deviation[rod] - deviation;
-            linkage.deviation[rod] = deviation;
-            linkage.stiffness[rod] = stiffness;
-        }
-    }
-
-    /// Keeps the rest angle of the pipes that were laid in this step.
-    fn record_pipes(&mut self) {
-        let linkage = &self.state.linkage;
-        self.laid.extend((0..linkage.len()).map(|rod| linkage.joint_angle(rod)));
     }
 
     /// The next step up to the moment at which all weights begin to act, and the paper's relaxation from there.
@@ -296,6 +305,7 @@ impl Growth {
         report.stable = (report.status == Status::Converged).then(|| {
             let mut elimination = Elimination::default();
             elimination.evaluate(&linkage, &loads);
+            report.residual = elimination.relative_residual();
             elimination.eliminate(&linkage, 0.0) == 0
         });
         report.gravity_number = self.gravity_number();
@@ -311,96 +321,5 @@ fn note(report: &mut Report, outcome: Outcome, step: u32) {
     report.iterations += outcome.iterations;
     if outcome.unstable_directions.is_some_and(|count| count > 0) && report.unstable_since.is_none() {
         report.unstable_since = Some(step);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::angle::Degrees;
-
-    impl Growth {
-        /// Lets the weights of the present wood act, outside any step.
-        fn load(&mut self) {
-            let loads = self.weigh(&self.lumped_masses());
-            let before = core::mem::replace(&mut self.state.loads, loads);
-            self.underway = Some(Underway::Newton(before));
-            self.settle(&mut u64::MAX.clone());
-        }
-    }
-
-    /// A horizontal axis that bends little: slopes below 1e-4, so that the sag is linear to 1e-8.
-    fn stiff_axis(segments: u32) -> Growth {
-        let mut params = Params::default();
-        params.axis.elevation = Degrees(0.0);
-        params.axis.segments = segments;
-        params.axis.segment_length = 1.0 / f64::from(segments);
-        params.material.youngs_modulus = 1e13;
-        Growth::new(&params).unwrap()
-    }
-
-    /// An axis of fixed length whose wood thickens from `first` to `last` pipes, each laid before its weight
-    /// acts. Returns the sag over the one that the first pipes alone have.
-    fn thickened_sag(first: u32, last: u32) -> f64 {
-        let mut growth = stiff_axis(20);
-        growth.params.solver.stepping = Stepping::Static;
-        growth.work(20, &mut u64::MAX.clone());
-        growth.params.solver.stepping = Stepping::Exact;
-        growth.params.growth.thickening = Thickening::Pipes;
-        growth.state.linkage.deviation.fill(0.0);
-        growth.state.loads = Loads::none(0);
-        // As many pipes everywhere, all from the beginning.
-        let lay = |growth: &mut Growth, pipes: u32| {
-            growth.state.step = pipes;
-            growth.state.wood.iter_mut().for_each(|wood| wood.first_pipe = 1);
-            growth.thicken();
-        };
-        lay(&mut growth, first);
-        growth.load();
-        let sag = |growth: &Growth| -growth.plant().tip(0)[1];
-        let before = sag(&growth);
-        for pipes in first + 1..=last {
-            lay(&mut growth, pipes);
-            growth.load();
-        }
-        sag(&growth) / before
-    }
-
-    #[test]
-    fn thickening_at_fixed_length_sags_by_the_incremental_law() {
-        // From one pipe on: the sum of 1 / k^2.
-        for pipes in [1_u32, 2, 10, 200] {
-            let expected: f64 = (1..=pipes).map(|pipe| 1.0 / f64::from(pipe * pipe)).sum();
-            assert!((thickened_sag(1, pipes) / expected - 1.0).abs() < 1e-6, "{pipes} pipes");
-        }
-        // Many thin pipes: 2 - (R0 / R)^2, with the areas in the ratio 1 to 4. The sum over pipes differs from the
-        // integral by half its end terms, 15 / 32 / first.
-        let off = [100, 200, 400].map(|first| (thickened_sag(first, 4 * first) - (2.0 - 0.25)).abs());
-        assert!(off[2] < 0.48 / 400.0 && off[0] / off[1] > 1.9 && off[1] / off[2] > 1.9, "{off:?}");
-    }
-
-    /// A joint under constant torque: each pipe is laid unstressed, so the joint does not move, and the rest angle
-    /// of the bundle is `mu - T / (n^2 kappa_1)`.
-    #[test]
-    fn under_constant_torque_the_rest_angle_creeps_after_the_joint() {
-        let mut growth = stiff_axis(1);
-        growth.params.loads.gravity = 0.0;
-        growth.params.loads.tip_force = [0.0, -50.0, 0.0];
-        growth.params.material.youngs_modulus = 1e9;
-        growth.step();
-        growth.params.growth.thickening = Thickening::Pipes;
-        let angle = growth.state.linkage.joint_angle(0);
-        let torque = growth.state.linkage.stiffness[0] * growth.state.linkage.deviation[0];
-        let first_stiffness = growth.state.wood[0].pipe_stiffness;
-        for pipes in 2..=50_u32 {
-            growth.state.step = pipes;
-            growth.thicken();
-            growth.load();
-            let linkage = &growth.state.linkage;
-            let stiffness = f64::from(pipes * pipes) * first_stiffness;
-            assert!((linkage.stiffness[0] / stiffness - 1.0).abs() < 1e-12);
-            assert!((linkage.joint_angle(0) - angle).abs() < 1e-12);
-            assert!((linkage.rest[0] - (angle - torque / stiffness)).abs() < 1e-12);
-        }
     }
 }

@@ -1,6 +1,8 @@
 //! Copies of a plant around a straight, rigid stem (figures 13d and 17d): each in its own vertical plane, lower
 //! ones older. Nothing is computed anew: the copies are ages of one plant.
 
+use alloc::vec;
+
 use crate::angle::Degrees;
 use crate::params::Params;
 use crate::plant::{Plant, Polylines, Segments};
@@ -51,14 +53,14 @@ fn stem(params: &Params, copies: &[Plant]) -> Plant {
     let spacing = params.arrangement.spacing;
     let base_area = |copy: &Plant| copy.segments.radius.first().map_or(0.0, |radius| radius * radius);
     let mut above: f64 = copies.iter().map(base_area).sum();
-    let mut polylines = Polylines { points: vec![0.0; 3], radii: vec![above.sqrt()], offsets: vec![0] };
+    let mut polylines = Polylines { points: vec![0.0; 3], radii: vec![libm::sqrt(above)], offsets: vec![0] };
     let mut segments = Segments::default();
     let up = core::f64::consts::FRAC_1_SQRT_2;
     for (index, copy) in copies.iter().enumerate() {
-        let radius = above.sqrt();
+        let radius = libm::sqrt(above);
         above = (above - base_area(copy)).max(base_area(copy));
         polylines.points.extend([0.0, (index + 1) as f64 * spacing, 0.0]);
-        polylines.radii.push(above.sqrt());
+        polylines.radii.push(libm::sqrt(above));
         segments.parent.push(index as i32 - 1);
         segments.point.push(index as u32 + 1);
         segments.axis.push(0);

@@ -1,5 +1,8 @@
 //! The paper's own way to one equilibrium, recorded so that it can be played.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::state::Growth;
 use crate::angle::Degrees;
 use crate::mechanics::{Outcome, Relaxation, Settings};

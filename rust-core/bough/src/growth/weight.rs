@@ -1,13 +1,17 @@
 //! What the plant weighs, and the loads that follow.
 
-use super::state::Growth;
-use crate::mechanics::{GROUND, Loads};
-use crate::params::Discretization;
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::pull::act;
+use super::state::{Growth, State};
+use crate::mechanics::{GROUND, Loads, pass_down};
+use crate::params::{Discretization, Thickening};
 
 impl Growth {
     /// Mass of a segment's wood, kg (equation 23); 0 for the node of a fork.
     pub(super) fn mass(&self, rod: usize) -> f64 {
-        f64::from(self.pipes(rod)) * self.state.wood[rod].pipe_mass
+        f64::from(self.pipes(rod)) * self.state.pipes.mass[rod]
     }
 
     /// Mass lumped at each rod's distal end, kg: all of a segment's, or half of it with the other half at its base.
@@ -31,21 +35,46 @@ impl Growth {
         lumped
     }
 
-    /// All loads of the present plant, in the frame of the base direction.
-    pub(super) fn weigh(&self, masses: &[f64]) -> Loads {
-        let (sin, cos) = self.params.axis.elevation.sin_cos();
-        let [tip_x, tip_y, _] = self.params.loads.tip_force;
-        let gravity = self.params.loads.gravity;
-        let main_tip = self.state.axes.first().map(|axis| axis.bearer as usize);
-        let mut loads = Loads::none(masses.len());
-        for (rod, mass) in masses.iter().enumerate() {
-            let (x, y) = if Some(rod) == main_tip { (tip_x, tip_y) } else { (0.0, 0.0) };
-            let y = y - mass * gravity;
-            loads.x[rod] = x * cos + y * sin;
-            loads.y[rod] = y * cos - x * sin;
+    /// Puts all loads on the present plant, in the frame of the base direction; those before are kept aside.
+    pub(super) fn weigh(&mut self) {
+        core::mem::swap(&mut self.state.loads, &mut self.before);
+        let rods = self.rods();
+        let params = &self.params;
+        let State { step, linkage, loads, pipes, axes, .. } = &mut self.state;
+        let Loads { x, y } = loads;
+        for array in [&mut *x, &mut *y] {
+            array.clear();
+            array.resize(rods, 0.0);
         }
-        loads.gather(&self.state.linkage);
-        loads
+        // Until its turn, the x of a rod holds the mass beyond it.
+        for axis in axes.iter().filter(|axis| !axis.forked && axis.segments > 0) {
+            x[axis.bearer as usize] += params.loads.tip_mass;
+        }
+        // Without thickening every rod has one pipe: none more in any step.
+        let (step, each) = match params.growth.thickening {
+            Thickening::None => (1.0, 0.0),
+            Thickening::Pipes => (f64::from(*step), 1.0),
+        };
+        let share = if params.solver.discretization == Discretization::Paper { 1.0 } else { 0.5 };
+        let (sin, cos) = params.axis.elevation.sin_cos();
+        let gravity = params.loads.gravity;
+        let (down_x, down_y) = (-gravity * sin, -gravity * cos);
+        // From the tips down: each rod bears what is beyond it and its own share; its parent bears all of it.
+        let mut passed = 0.0;
+        let (parent, since, first) = (&linkage.parent[..rods], &pipes.since[..rods], &pipes.mass[..rods]);
+        let (x, y) = (&mut x[..rods], &mut y[..rods]);
+        for rod in (0..rods).rev() {
+            let mass = (step - each * since[rod]) * first[rod];
+            let beyond = x[rod] + passed;
+            let borne = beyond + share * mass;
+            x[rod] = borne * down_x;
+            y[rod] = borne * down_y;
+            passed = pass_down(parent[rod], rod, beyond + mass, x);
+        }
+        if let Some(main) = axes.first().filter(|axis| axis.segments > 0) {
+            let [x, y, _] = params.loads.tip_force;
+            act(linkage, loads, main.bearer as usize, [x * cos + y * sin, y * cos - x * sin]);
+        }
     }
 
     /// Weight times squared length (along the longest path) over the flexural rigidity at the base.

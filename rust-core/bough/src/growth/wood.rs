@@ -8,14 +8,8 @@ pub(super) struct Wood {
     pub(super) axis: u32,
     /// Growth step of birth, from 1.
     pub(super) birth: u32,
-    /// Growth step of the first pipe: that of birth, or for the node of a fork the birth of the segment it ends.
-    pub(super) first_pipe: u32,
     /// Length that the base joint's spring stands for, m.
     pub(super) joint_length: f64,
-    /// Spring constant of the base joint's first pipe, N m (equation 41).
-    pub(super) pipe_stiffness: f64,
-    /// Mass of the first pipe, kg; 0 for the node of a fork.
-    pub(super) pipe_mass: f64,
     /// The part of the rest angle that is the branching angle, radians; 0 inside an axis.
     pub(super) branching_turn: f64,
 }

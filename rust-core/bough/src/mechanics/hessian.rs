@@ -9,9 +9,17 @@
 //! The pivot of rod i is `p = kappa + e` where `e = h + sum over children kappa e_c / (kappa + e_c)`: springs
 //! in series. Working with `e` instead of `p` subtracts no large numbers from each other.
 
+use alloc::vec::Vec;
+
+use super::chain::{Chain, Parts, SHORTEST};
+use super::levels::{Rows, Tree};
 use super::linkage::{GROUND, Linkage};
 use super::loads::Loads;
-use crate::trigonometry::sines_and_cosines;
+use super::sweep::{self, largest};
+use crate::trigonometry::{SMALL_TURN, sin_cos, sines_and_cosines, turn_sines_and_cosines};
+
+/// How often sines and cosines are turned before they are computed anew: each turn adds a rounding.
+const MOST_TURNS: u32 = 32;
 
 /// Torques at one state, and the elimination of the Hessian there. Buffers are kept between uses.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +30,8 @@ pub struct Elimination {
     pub torque: Vec<f64>,
     /// Torque left over at each base joint: `kappa theta - torque` (equation 14 at rest).
     pub residual: Vec<f64>,
+    largest_torque: f64,
+    largest_residual: f64,
     /// Diagonal of the load's Hessian, N m.
     geometric: Vec<f64>,
     sine: Vec<f64>,
@@ -33,49 +43,144 @@ pub struct Elimination {
     gain: Vec<f64>,
     slack: Vec<f64>,
     carried: Vec<f64>,
+    /// By how much the last increment turned each rod.
     turn: Vec<f64>,
+    next_angle: Vec<f64>,
+    /// How often sines and cosines have been turned since they were computed.
+    turns_taken: u32,
+    increment: Vec<f64>,
+    parts: Parts,
+    rows: Rows,
 }
 
 impl Elimination {
     /// Torques and residuals at the linkage's present state. O(n).
     pub fn evaluate(&mut self, linkage: &Linkage, loads: &Loads) {
-        let rods = linkage.len();
         linkage.angles(&mut self.angle);
         sines_and_cosines(&self.angle, &mut self.sine, &mut self.cosine);
+        self.balance(linkage, loads);
+    }
+
+    /// As [`Elimination::evaluate`], right after [`Elimination::newton`] turned rods that were evaluated before, by at most
+    /// `largest_turn`: small turns take fewer digits.
+    pub(super) fn evaluate_turned(&mut self, linkage: &Linkage, loads: &Loads, largest_turn: f64) {
+        // Written so that NaN takes the long way.
+        if largest_turn <= SMALL_TURN {
+            turn_sines_and_cosines(&self.turn, &mut self.sine, &mut self.cosine);
+            for (angle, turn) in self.angle.iter_mut().zip(&self.turn) {
+                *angle += turn;
+            }
+            self.balance(linkage, loads);
+        } else {
+            self.evaluate(linkage, loads);
+        }
+    }
+
+    /// As [`Elimination::evaluate`], from the last state that was evaluated: rods that have turned little since then take
+    /// fewer digits. New rods may have come. After [`MOST_TURNS`] such turns all is computed anew.
+    pub(super) fn follow(&mut self, linkage: &Linkage, loads: &Loads) {
+        let known = self.angle.len();
+        if known == 0 || known > linkage.len() || self.turns_taken >= MOST_TURNS {
+            self.turns_taken = 0;
+            return self.evaluate(linkage, loads);
+        }
+        linkage.angles(&mut self.next_angle);
+        self.turn.resize(known, 0.0);
+        sweep::differences(&self.next_angle, &self.angle, &mut self.turn);
+        let largest_turn = largest(&self.turn);
+        if largest_turn.is_nan() || largest_turn > SMALL_TURN {
+            self.turns_taken = 0;
+            return self.evaluate(linkage, loads);
+        }
+        turn_sines_and_cosines(&self.turn, &mut self.sine, &mut self.cosine);
+        for angle in &self.next_angle[known..] {
+            let (sine, cosine) = sin_cos(*angle);
+            self.sine.push(sine);
+            self.cosine.push(cosine);
+        }
+        core::mem::swap(&mut self.angle, &mut self.next_angle);
+        self.turns_taken += 1;
+        self.balance(linkage, loads);
+    }
+
+    /// Lets [`Elimination::follow`] start anew.
+    pub(super) fn forget(&mut self) {
+        self.angle.clear();
+    }
+
+    /// Torques and residuals from sines and cosines.
+    fn balance(&mut self, linkage: &Linkage, loads: &Loads) {
+        let rods = linkage.len();
         for array in [&mut self.torque, &mut self.residual, &mut self.geometric] {
-            array.clear();
             array.resize(rods, 0.0);
         }
-        // Slices of one length: their bounds are checked once.
-        let (sine, cosine) = (&self.sine[..rods], &self.cosine[..rods]);
-        let (x, y, length) = (&loads.x[..rods], &loads.y[..rods], &linkage.length[..rods]);
-        let (torque, geometric) = (&mut self.torque[..rods], &mut self.geometric[..rods]);
-        for rod in 0..rods {
-            torque[rod] = length[rod] * (cosine[rod] * y[rod] - sine[rod] * x[rod]);
-            geometric[rod] = length[rod] * (cosine[rod] * x[rod] + sine[rod] * y[rod]);
-        }
+        let torque = &mut self.torque[..];
+        let loaded = [&linkage.length[..], &loads.x, &loads.y];
+        sweep::torques(loaded, [&self.sine, &self.cosine], torque, &mut self.geometric);
         let mut passed = 0.0;
-        for rod in (0..rods).rev() {
-            let sum = torque[rod] + passed;
-            torque[rod] = sum;
-            passed = pass_down(linkage.parent[rod], rod, sum, torque);
+        if linkage.is_chain() {
+            for torque in torque.iter_mut().rev() {
+                passed += *torque;
+                *torque = passed;
+            }
+        } else if linkage.has_wide_levels() {
+            linkage.levels.gather(&linkage.parent, torque);
+        } else {
+            for rod in (0..rods).rev() {
+                let sum = torque[rod] + passed;
+                torque[rod] = sum;
+                passed = pass_down(linkage.parent[rod], rod, sum, torque);
+            }
         }
-        let springs = linkage.stiffness.iter().zip(&linkage.deviation);
-        for ((residual, torque), (stiffness, deviation)) in
-            self.residual.iter_mut().zip(&self.torque).zip(springs)
-        {
-            *residual = stiffness * deviation - torque;
-        }
+        sweep::residuals(&linkage.stiffness, &linkage.deviation, &self.torque, &mut self.residual);
+        self.largest_torque = largest(&self.torque);
+        self.largest_residual = largest(&self.residual);
     }
 
     /// Largest external torque, N m.
     pub fn largest_torque(&self) -> f64 {
-        largest(&self.torque)
+        self.largest_torque
     }
 
     /// Largest torque left over, N m; NaN when any is.
     pub fn largest_residual(&self) -> f64 {
-        largest(&self.residual)
+        self.largest_residual
+    }
+
+    /// Largest torque left over, relative to the largest external torque; 0 without load.
+    pub fn relative_residual(&self) -> f64 {
+        if self.largest_residual == 0.0 { 0.0 } else { self.largest_residual / self.largest_torque }
+    }
+
+    /// Newton's step from the last evaluated state: adds its increment to every deviation. Returns how many pivots are not
+    /// positive, and the largest turn of any rod. O(n).
+    pub fn newton(&mut self, linkage: &mut Linkage) -> (u32, f64) {
+        let rods = linkage.len();
+        if rods >= SHORTEST && linkage.is_chain() {
+            self.turn.resize(rods, 0.0);
+            let Elimination { parts, geometric, residual, turn, .. } = self;
+            let chain = Chain { stiffness: &linkage.stiffness, geometric, residual };
+            if let Some(largest) = parts.newton(chain, &mut linkage.deviation, turn) {
+                return (0, largest);
+            }
+        }
+        if linkage.has_wide_levels() {
+            self.turn.resize(rods, 0.0);
+            let Elimination { rows, geometric, residual, turn, .. } = self;
+            let Linkage { parent, stiffness, deviation, levels, .. } = linkage;
+            let tree = Tree { parent, levels, stiffness, geometric, residual };
+            if let Some(largest) = rows.newton(tree, deviation, turn) {
+                return (0, largest);
+            }
+        }
+        let not_positive = self.eliminate(linkage, 0.0);
+        let mut increment = core::mem::take(&mut self.increment);
+        let largest = self.newton_step(linkage, &mut increment);
+        for (deviation, step) in linkage.deviation.iter_mut().zip(&increment) {
+            *deviation += step;
+        }
+        self.increment = increment;
+        (not_positive, largest)
     }
 
     /// Residual that round-off alone can leave: the torques that springs make of one rounding of an angle.
@@ -175,21 +280,8 @@ impl Elimination {
     }
 }
 
-/// Largest size of the numbers; NaN when any is. Four maxima side by side: one would wait for itself.
-fn largest(numbers: &[f64]) -> f64 {
-    let larger = |a: f64, b: f64| if a > b || a.is_nan() { a } else { b };
-    let mut chunks = numbers.chunks_exact(4);
-    let mut lanes = [0.0_f64; 4];
-    for chunk in &mut chunks {
-        for (lane, number) in lanes.iter_mut().zip(chunk) {
-            *lane = larger(*lane, number.abs());
-        }
-    }
-    lanes.iter().chain(chunks.remainder()).fold(0.0, |most, number| larger(most, number.abs()))
-}
-
 /// Passes what a rod adds to its parent: as the result where the parent comes next, into the array elsewhere.
-fn pass_down(parent: u32, rod: usize, share: f64, shares: &mut [f64]) -> f64 {
+pub(crate) fn pass_down(parent: u32, rod: usize, share: f64, shares: &mut [f64]) -> f64 {
     if parent == GROUND {
         return 0.0;
     }

@@ -1,6 +1,10 @@
 //! The force that holds a point of a linkage at a place: what the pointer does when it drags a branch.
 
-use super::equilibrium::{DEFINITE, SMALLEST_SHIFT, Settings, add, energy, largest_turn, polish};
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::descent::{DEFINITE, SMALLEST_SHIFT, energy};
+use super::equilibrium::{Settings, add, largest_turn, polish};
 use super::hessian::Elimination;
 use super::linkage::{GROUND, Linkage};
 use super::loads::Loads;
@@ -99,6 +103,7 @@ struct Search {
     /// The given loads and the force.
     pulled: Loads,
     increment: Vec<f64>,
+    turn: Vec<f64>,
     by_force: [Vec<f64>; 2],
 }
 
@@ -123,6 +128,7 @@ impl Search {
             state: Elimination::default(),
             pulled: loads.clone(),
             increment: Vec::new(),
+            turn: Vec::new(),
             by_force: [Vec::new(), Vec::new()],
         };
         search.evaluate(linkage, loads, [0.0; 2]);
@@ -174,7 +180,7 @@ impl Search {
             }
             shift = f64::max(SMALLEST_SHIFT, 2.0 * shift);
         }
-        let turn = largest_turn(linkage, &self.increment);
+        let turn = largest_turn(linkage, &self.increment, &mut self.turn);
         let slope = self.state.slope(&self.increment);
         let whole = |linkage: &Linkage| {
             let place = end_of(linkage, &self.path);

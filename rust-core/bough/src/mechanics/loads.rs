@@ -1,5 +1,8 @@
 //! Forces on the nodes of a linkage, and what each rod carries.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::linkage::{GROUND, Linkage};
 
 /// For each rod the sum of all forces that act at its distal end or beyond it (the sums of equations 5 to 9),

@@ -9,6 +9,9 @@
 //! Euler is deadbeat for it. The slowest joint, the base's, takes `sqrt(I / k)` of its own a digit: the number
 //! of steps grows like the root of the ratio of the two inertias, `n^1.5`, and the work like `n^2.5`.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::equilibrium::Settings;
 use super::hessian::Elimination;
 use super::linkage::{GROUND, Linkage};

@@ -31,7 +31,8 @@ impl Status {
 pub struct Outcome {
     /// How the iteration ended.
     pub status: Status,
-    /// Largest torque left over at a joint, relative to the largest external torque; 0 without load.
+    /// Largest torque left over at a joint, relative to the largest external torque; 0 without load. After a last small step
+    /// of Newton's method it is a proven bound instead of being evaluated once more.
     pub residual: f64,
     /// Newton factorizations, or Euler steps.
     pub iterations: u64,
@@ -59,6 +60,9 @@ pub struct Report {
     /// First growth step whose equilibrium was not stable, if any: from there on the shape depends on chance
     /// in a real plant (a straight column past its self-buckling height, say).
     pub unstable_since: Option<u32>,
+    /// With extrapolated stepping, the largest distance from the shape of exact stepping that is to be expected, over the
+    /// length of the axis; `None` with any other stepping.
+    pub stepping_error: Option<f64>,
     /// Weight times length squared over flexural rigidity at the base; `q = w L^3 / EI` for a uniform axis.
     pub gravity_number: f64,
 }

@@ -1,5 +1,10 @@
 //! Validation of params against the declaration, and of what they would cost.
 
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
 use super::cost::{MAX_SEGMENTS, too_large};
 use super::declaration::{ArrangementPattern, BranchingPattern, PARAMETERS, Params, Thickening};
 use super::issue::{Issue, Sentence};

@@ -1,5 +1,9 @@
 //! What growing a plant would cost, known before it is grown.
 
+use alloc::format;
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::declaration::{ArrangementPattern, Branching, BranchingPattern, Params, Stepping, Thickening};
 use super::issue::{Issue, Sentence};
 
@@ -9,6 +13,13 @@ pub const MAX_SEGMENTS: f64 = 1e6;
 pub const MAX_STEPPED: f64 = 1e10;
 /// Most segment-steps of exact growth with pipes, whose history is kept: 8 bytes each.
 pub const MAX_PIPES_LAID: f64 = 1e8;
+
+/// Whether growth can be foreseen at every age from coarser cuts: one axis that is cut evenly.
+pub(crate) fn is_foreseeable(params: &Params) -> bool {
+    let Params { axis, growth, branching, .. } = params;
+    let even = axis.length_profile == 1.0 && (axis.taper == 1.0 || growth.thickening == Thickening::Pipes);
+    even && branching.pattern == BranchingPattern::None
+}
 
 /// How many segments an axis of each generation grows to.
 pub(crate) fn segments_of_generations(params: &Params) -> impl Iterator<Item = u32> {
@@ -89,7 +100,8 @@ pub(super) fn too_large(params: &Params) -> Vec<Issue> {
         let path = "arrangement.count";
         return vec![issue(path, f64::from(params.arrangement.count), 1.0, most, sentence(most, path))];
     }
-    if params.solver.stepping == Stepping::Static {
+    let foreseen = params.solver.stepping == Stepping::Extrapolated && is_foreseeable(params);
+    if params.solver.stepping == Stepping::Static || foreseen {
         return Vec::new();
     }
     let pipes = params.growth.thickening == Thickening::Pipes;

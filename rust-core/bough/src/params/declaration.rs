@@ -1,6 +1,8 @@
 //! THE declaration: every parameter once. Validation, form, links, TypeScript types, JSON Schema and the
 //! reference table in the docs are all made from what stands here.
 
+use alloc::vec::Vec;
+
 use super::parameter::{Kind, Parameter, Scale};
 use super::value::{PointForce, Value, choice, write_forces};
 use crate::angle::Degrees;
@@ -62,6 +64,8 @@ choice! {
         Exact = "exact",
         /// The finished plant is solved once, its loads raised from zero; it keeps no memory of its growth.
         Static = "static",
+        /// The memory that exact growth leaves is extrapolated from coarser cuts of the axis, and its error estimated.
+        Extrapolated = "extrapolated",
     }
 }
 
@@ -409,9 +413,9 @@ declare! {
         }
         stepping: Stepping {
             path: "solver.stepping", key: "st", symbol: "", unit: "",
-            kind: Kind::Choice(Stepping::NAMES), default: [0.0], range: 0..=1, slider: Linear 0..=1,
+            kind: Kind::Choice(Stepping::NAMES), default: [0.0], range: 0..=2, slider: Linear 0..=2,
             label: "Stepping",
-            help: "Exact brings every growth step to equilibrium; static solves the finished plant at once, its loads raised from zero, without memory of how it grew.",
+            help: "Exact brings every growth step to equilibrium; static solves the finished plant at once, its loads raised from zero, without memory of how it grew; extrapolated foresees that memory from coarser cuts of an evenly cut single axis, and says how far off that may be (other plants are grown exactly).",
             source: "section 3.4",
         }
     }

@@ -1,5 +1,11 @@
 //! What is wrong with a set of params, worded for a person.
 
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
+use alloc::string::ToString;
+use alloc::vec::Vec;
+
 use core::fmt;
 
 /// One problem with one parameter.

@@ -10,8 +10,8 @@ mod value;
 
 pub use crate::angle::Degrees;
 pub use check::{check, check_flat};
-pub(crate) use cost::segments_of_generations;
 pub use cost::{MAX_PIPES_LAID, MAX_SEGMENTS, MAX_STEPPED};
+pub(crate) use cost::{is_foreseeable, segments_of_generations};
 pub use declaration::*;
 pub use issue::{BoughError, Issue, Sentence};
 pub use parameter::{Kind, Parameter, Scale};

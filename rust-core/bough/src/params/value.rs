@@ -1,5 +1,7 @@
 //! The types a parameter can have, and their flat form: a run of numbers, as they cross into wasm.
 
+use alloc::vec::Vec;
+
 use crate::angle::Degrees;
 
 /// A typed parameter value with a flat form of fixed width.

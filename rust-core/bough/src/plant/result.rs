@@ -1,5 +1,7 @@
 //! A plant as flat arrays: what crosses to JavaScript, files and plots.
 
+use alloc::vec::Vec;
+
 use crate::mechanics::Report;
 use crate::params::Params;
 

@@ -22,7 +22,7 @@ impl Section {
 
     /// Outer radius, m: `R_1 sqrt(n)`.
     pub fn radius(self) -> f64 {
-        self.birth_radius * f64::from(self.pipes).sqrt()
+        self.birth_radius * libm::sqrt(f64::from(self.pipes))
     }
 
     /// Cross-sectional area, m2: `n` times that of one pipe.

@@ -1,8 +1,9 @@
 /** Keeps the plant in step with what is wanted: the newest wish counts, and no wishes queue up. */
-import type { Engine } from "../engine/engine.ts";
+
 import { BoughError, type Issue } from "../params/issue.ts";
 import { type Params, sameParams } from "../params/params.ts";
 import type { Plant } from "../plant/plant.ts";
+import type { Engine } from "./engine.ts";
 
 /** Who is told what came of a wish. */
 export interface Listener {
