@@ -29,7 +29,7 @@ pub mod growth;
 pub mod mechanics;
 pub mod params;
 pub mod plant;
-mod trigonometry;
+pub mod trigonometry;
 
 pub use growth::{Growth, History, grow, relaxation};
 pub use plant::Plant;

@@ -23,7 +23,7 @@ const LARGEST: f64 = 1e6;
 /// rounding: below 2.3e-16 (see the test), like the library's. Beyond 10^6, where the reduction would lose digits, whole
 /// turns are taken off first.
 #[inline]
-pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
+pub fn sin_cos(angle: f64) -> (f64, f64) {
     if angle.abs() > LARGEST { small_sin_cos(angle % TAU) } else { small_sin_cos(angle) }
 }
 
@@ -72,9 +72,9 @@ pub(crate) fn turn_sines_and_cosines(turns: &[f64], sines: &mut [f64], cosines: 
     }
 }
 
-/// As [`sin_cos`], without a branch, up to 10^6.
+/// As [`sin_cos`], without a branch, up to 10^6: compilers make vector code of loops over it.
 #[inline(always)]
-fn small_sin_cos(angle: f64) -> (f64, f64) {
+pub fn small_sin_cos(angle: f64) -> (f64, f64) {
     // The low bits of the sum are the number of quarter turns.
     let shifted = angle * FRAC_2_PI + ROUND;
     let (quarters, bits) = (shifted - ROUND, shifted.to_bits());

@@ -3,7 +3,8 @@
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "tests may stop, and round as they like")]
 
 use bough::angle::Degrees;
-use bough::params::{Discretization, Params, Stepping, Thickening, check};
+use bough::mechanics::Status;
+use bough::params::{Discretization, Method, Params, Stepping, Thickening, check};
 use bough::{History, Plant, grow};
 
 fn pipes(segments: u32) -> Params {
@@ -65,6 +66,7 @@ fn smooth_growth_is_foreseen_to_a_millionth_of_the_length() {
             let quick = extrapolated(&params);
             let apart = distance(&exact, &quick);
             let said = quick.report.stepping_error.unwrap();
+            println!("{name}, {segments} segments: {apart:.1e} L from exact growth, said {said:.1e}");
             assert!(apart <= 1e-6, "{name}, {segments}: {apart:e} L");
             assert!(apart <= said && said <= 1e-5, "{name}, {segments}: {apart:e} L, said {said:e}");
             assert!(quick.report.residual <= 1e-10);
@@ -95,6 +97,7 @@ fn what_is_not_smooth_is_said() {
             let quick = extrapolated(&params);
             let apart = distance(&grow(&params).unwrap(), &quick);
             let said = quick.report.stepping_error.unwrap();
+            println!("{name}, {segments} segments: {apart:.1e} L from exact growth, said {said:.1e}");
             assert!(apart <= said, "{name}, {segments}: {apart:e} L, said {said:e}");
             assert!(quick.report.residual <= 1e-10, "{name}, {segments}");
         }
@@ -133,4 +136,28 @@ fn ages_are_foreseen_one_by_one() {
     let plant = grow(&huge).unwrap();
     assert!(plant.report.stepping_error.unwrap() < 1e-5);
     assert_eq!(plant.report.stable, Some(true));
+}
+
+/// The coarse cuts are Newton's business: by the paper's relaxation, to their tolerance, they would take hours. And lengths out
+/// of the parameters' range are no trouble where only a coarse cut has them.
+#[test]
+fn coarse_cuts_are_nobody_elses_business() {
+    let euler = with(tropic(pipes(20)), |params| {
+        params.solver.method = Method::Euler;
+        params.solver.tolerance = 1e-6;
+    });
+    let plant = extrapolated(&euler);
+    assert_eq!(plant.report.status, Status::Converged);
+    assert!(distance(&grow(&euler).unwrap(), &plant) < 1e-5);
+    // At the limit of axis.segmentLength.
+    let long = with(pipes(300), |params| {
+        params.axis.segment_length = 1000.0;
+        params.axis.radius = 90.0;
+        params.material.youngs_modulus = 1e12;
+        params.loads.gravity = 1e-3;
+    });
+    assert!(check(&long).is_empty());
+    let plant = extrapolated(&long);
+    assert_eq!(plant.report.status, Status::Converged);
+    assert!(distance(&grow(&long).unwrap(), &plant) <= plant.report.stepping_error.unwrap());
 }

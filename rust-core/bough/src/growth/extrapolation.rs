@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 use super::plant::stress;
 use super::state::Growth;
 use crate::mechanics::Status;
-use crate::params::{ArrangementPattern, Params, Stepping, Thickening};
+use crate::params::{ArrangementPattern, Method, Params, Stepping, Thickening};
 use crate::trigonometry::sin_cos;
 
 /// Segments of the coarse cuts; refined by a factor until the estimate is good.
@@ -54,21 +54,17 @@ pub(super) struct Forecast {
 /// The axis at the end of step `steps`.
 pub(super) fn foresee(params: &Params, steps: u32) -> Forecast {
     if steps <= FEWEST {
-        return Sampled::grow(params, steps, steps)
-            .map_or_else(Forecast::unknown, |sampled| sampled.forecast);
+        return Sampled::grow(params, steps, steps).forecast;
     }
-    let mut forecast = Forecast::unknown();
     let mut cuts = CUTS;
-    for _ in 0..=REFINEMENTS {
-        let grown: Option<Vec<Sampled>> = cuts.iter().map(|&cut| Sampled::grow(params, cut, steps)).collect();
-        let Some(grown) = grown else { break };
-        forecast = extrapolate(&grown, params, steps);
+    for _ in 0..REFINEMENTS {
+        let forecast = extrapolate(&cuts.map(|cut| Sampled::grow(params, cut, steps)), params, steps);
         if forecast.error <= GOOD || 2 * cuts[CUTS.len() - 1] > steps {
-            break;
+            return forecast;
         }
         cuts = cuts.map(|cut| 2 * cut);
     }
-    forecast
+    extrapolate(&cuts.map(|cut| Sampled::grow(params, cut, steps)), params, steps)
 }
 
 /// One coarse cut, grown.
@@ -78,9 +74,8 @@ struct Sampled {
 }
 
 impl Sampled {
-    /// Grows `steps` segments of the axis as `cut` longer ones, that in the end are as thick. `None` where those would be out
-    /// of the parameters' range.
-    fn grow(params: &Params, cut: u32, steps: u32) -> Option<Sampled> {
+    /// Grows `steps` segments of the axis as `cut` longer ones, that in the end are as thick.
+    fn grow(params: &Params, cut: u32, steps: u32) -> Sampled {
         let times = f64::from(steps) / f64::from(cut);
         let mut coarse = params.clone();
         coarse.axis.segments = cut;
@@ -89,10 +84,11 @@ impl Sampled {
             coarse.axis.radius *= libm::sqrt(times);
         }
         coarse.solver.stepping = Stepping::Exact;
+        coarse.solver.method = Method::Newton;
         coarse.solver.tolerance = TOLERANCE;
         coarse.arrangement.pattern = ArrangementPattern::Single;
         coarse.loads.forces.clear();
-        let mut growth = Growth::new(&coarse).ok()?;
+        let mut growth = Growth::unchecked(&coarse);
         while growth.step() {}
         let report = *growth.report();
         let linkage = &growth.state.linkage;
@@ -108,14 +104,7 @@ impl Sampled {
             iterations: report.iterations,
             unstable_since: report.unstable_since.map(|step| (f64::from(step) * times) as u32),
         };
-        Some(Sampled { joints: cut, forecast })
-    }
-}
-
-impl Forecast {
-    /// Nothing is foreseen.
-    fn unknown() -> Self {
-        Forecast { error: f64::INFINITY, status: Status::NonFinite, ..Forecast::default() }
+        Sampled { joints: cut, forecast }
     }
 }
 
@@ -161,6 +150,9 @@ fn extrapolate(grown: &[Sampled], params: &Params, steps: u32) -> Forecast {
         forecast.error = forecast.error.max(libm::hypot(this.x - other.x, this.y - other.y));
     }
     forecast.error *= CAUTION / (length * f64::from(steps));
+    if forecast.status == Status::NonFinite {
+        forecast.error = f64::INFINITY;
+    }
     forecast
 }
 

@@ -80,9 +80,11 @@ impl Growth {
     /// Every problem of the params at once.
     pub fn new(params: &Params) -> Result<Self, BoughError> {
         let issues = check(params);
-        if !issues.is_empty() {
-            return Err(BoughError { issues });
-        }
+        if issues.is_empty() { Ok(Self::unchecked(params)) } else { Err(BoughError { issues }) }
+    }
+
+    /// As [`Growth::new`], for params that were checked before, or follow from some that were.
+    pub(super) fn unchecked(params: &Params) -> Self {
         let main = Axis {
             generation: 0,
             base_radius: params.axis.radius,
@@ -92,7 +94,7 @@ impl Growth {
             segments: 0,
             forked: false,
         };
-        Ok(Growth {
+        Growth {
             plan: Plan::new(params),
             params: params.clone(),
             state: State { axes: vec![main], ..State::default() },
@@ -103,7 +105,7 @@ impl Growth {
             before: Loads::default(),
             guess: Vec::new(),
             workspace: Workspace::default(),
-        })
+        }
     }
 
     /// How many growth steps the finished plant takes.
@@ -185,6 +187,7 @@ impl Growth {
                 self.record_pipes();
             }
         } else {
+            self.workspace.forget();
             // Everything grows unloaded, and without load nothing is remembered.
             self.state.linkage.deviation.fill(0.0);
             self.state.loads = Loads::none(0);

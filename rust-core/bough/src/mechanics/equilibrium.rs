@@ -138,7 +138,8 @@ impl Workspace {
                 let torque = self.state.largest_torque();
                 let bound = remainder(linkage, loads, turn);
                 if bound <= PROVABLE_SHARE * tolerance * torque {
-                    outcome.residual = bound / torque;
+                    // Without any load both are 0.
+                    outcome.residual = if bound == 0.0 { 0.0 } else { bound / torque };
                     return Attempt::Converged(turned);
                 }
             }
@@ -162,6 +163,7 @@ impl Workspace {
         let mut coarser = self.coarser.take().unwrap_or_default();
         let (coarse, workspace) = &mut *coarser;
         coarse.cut(linkage, loads);
+        workspace.forget();
         let enough = Settings { tolerance: f64::max(settings.tolerance, ENOUGH_FOR_A_START) };
         let outcome_there =
             settle(&mut coarse.linkage, &Loads::none(0), &coarse.loads, &[], enough, workspace);

@@ -1,0 +1,35 @@
+//! Every way to an age leads to the same bits.
+
+#![allow(clippy::unwrap_used, reason = "a test may stop")]
+
+use bough::History;
+use bough::params::{BranchingPattern, Params, Stepping, Thickening};
+
+/// Stiff and soft, exact, static and extrapolated, an axis and a tree: the ages in some order, each against a fresh start.
+#[test]
+fn an_age_is_the_same_whichever_way_it_is_reached() {
+    for stepping in [Stepping::Exact, Stepping::Static, Stepping::Extrapolated] {
+        for modulus in [1e8, 1e9, 1e13] {
+            for (segments, forks) in [(150, 0), (40, 0), (12, 3)] {
+                let mut params = Params::default();
+                params.axis.segments = segments;
+                params.axis.segment_length = 1.5 / f64::from(segments);
+                params.material.youngs_modulus = modulus;
+                params.growth.thickening = Thickening::Pipes;
+                params.axis.radius = 0.0127 / f64::from(segments).sqrt();
+                params.tropism.strength = 0.5;
+                params.solver.stepping = stepping;
+                params.branching.generations = forks;
+                if forks > 0 {
+                    params.branching.pattern = BranchingPattern::Bifurcation;
+                }
+                let mut history = History::new(&params).unwrap();
+                let steps = history.steps();
+                for step in [steps - 1, steps, steps / 2, 17, 16, 15, steps / 2 + 1, steps - 2, steps] {
+                    let fresh = History::new(&params).unwrap().at(step);
+                    assert_eq!(history.at(step), fresh, "{stepping:?}, {segments} segments, step {step}");
+                }
+            }
+        }
+    }
+}
