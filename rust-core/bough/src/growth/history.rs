@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::pull::Grip;
 use super::state::{Growth, STRIDE, State};
 use super::stem;
-use crate::params::{Arrangement, ArrangementPattern, BoughError, Params, PointForce};
+use crate::params::{Arrangement, ArrangementPattern, BoughError, Params, PointForce, copies_differ};
 use crate::plant::Plant;
 
 /// About how many bytes all checkpoints together may take.
@@ -52,6 +52,8 @@ pub struct History {
     checkpoints: Vec<State>,
     interval: u32,
     grip: Option<Grip>,
+    /// Around a rigid stem, the copies that differ by more than their age and azimuth, each grown alone.
+    alone: Vec<History>,
 }
 
 impl History {
@@ -61,11 +63,14 @@ impl History {
     /// Every problem of the params at once.
     pub fn new(params: &Params) -> Result<Self, BoughError> {
         let growth = Growth::new(params)?;
+        let copies = if copies_differ(params) { params.arrangement.count as usize } else { 0 };
+        let alone = (0..copies).map(|copy| History::new(&stem::alone(params, copy)));
+        let alone = alone.collect::<Result<Vec<_>, _>>()?;
         let state = 16 * size_of::<f64>() * growth.full_grown_segments();
         let kept = (CHECKPOINT_BYTES / state.max(1)).clamp(1, MOST_CHECKPOINTS);
         let interval = growth.steps().div_ceil(kept as u32).next_multiple_of(STRIDE);
         let checkpoints = vec![growth.state.clone()];
-        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None })
+        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None, alone })
     }
 
     /// How many growth steps there are.
@@ -90,7 +95,7 @@ impl History {
     /// The plant at the step that growth stands at; around a stem, its copies of all ages up to that.
     pub fn plant(&mut self) -> Plant {
         self.grip = None;
-        if self.growth.params.arrangement.pattern == ArrangementPattern::Single {
+        if self.growth.params.arrangement.pattern != ArrangementPattern::Stem {
             return self.growth.plant();
         }
         let copies = self.copies();
@@ -103,6 +108,9 @@ impl History {
         let Arrangement { count, interval, .. } = self.growth.params.arrangement;
         let younger = |copy: u32| step.checked_sub(copy.saturating_mul(interval));
         let mut ages: Vec<u32> = (0..count).map_while(younger).take_while(|&age| age > 0).collect();
+        if !self.alone.is_empty() {
+            return self.alone.iter_mut().zip(ages).map(|(copy, age)| copy.at(age)).collect();
+        }
         // From the youngest to the oldest, so that growth only goes forward and ends where it stood.
         ages.reverse();
         let mut copies: Vec<Plant> = Vec::with_capacity(ages.len());
@@ -120,8 +128,8 @@ impl History {
     }
 
     /// The plant at the step that growth stands at, with the distal end of a segment held at a place (x, y, z in m), as a
-    /// pointer does; `params.loads.forces` of the result names the force that holds it. Of the place only what
-    /// lies in the plane of the axis counts, and out of reach the point comes as near as it can. `None` when there is no
+    /// pointer does; `params.loads.forces` of the result names the force that holds it. Of the place of a planar plant only
+    /// what lies in its plane counts, and out of reach the point comes as near as it can. `None` when there is no
     /// such segment, the stem's included, or no equilibrium was found. The next [`History::plant`] lets go.
     ///
     /// Calls with places near each other are quick: each goes on from the one before.
@@ -139,8 +147,8 @@ impl History {
     /// ```
     pub fn hold(&mut self, segment: u32, place: [f64; 3]) -> Option<Plant> {
         let grip = self.grip.take();
-        if self.growth.params.arrangement.pattern == ArrangementPattern::Single {
-            let (plant, grip) = self.growth.hold(segment, [place[0], place[1]], grip)?;
+        if self.growth.params.arrangement.pattern != ArrangementPattern::Stem {
+            let (plant, grip) = self.growth.hold(segment, place, grip)?;
             self.grip = Some(grip);
             return Some(plant);
         }
@@ -155,10 +163,15 @@ impl History {
             found
         })?;
         let stand = stem::place(&self.growth.params, copy);
-        self.seek(copies[copy].report.steps, u64::MAX);
         // A grip counts its segments in the whole arrangement.
-        let grip = grip.filter(|grip| grip.segment == own as u32);
-        let held = self.growth.hold(own as u32, stand.inward(place), grip);
+        let grip = grip.filter(|grip| grip.segment() == own as u32);
+        let held = match self.alone.get(copy) {
+            Some(alone) => alone.growth.hold(own as u32, stand.inward(place), grip),
+            None => {
+                self.seek(copies[copy].report.steps, u64::MAX);
+                self.growth.hold(own as u32, stand.inward(place), grip)
+            }
+        };
         self.seek(step, u64::MAX);
         let (plant, grip) = held?;
         self.grip = Some(grip);
