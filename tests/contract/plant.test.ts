@@ -71,6 +71,7 @@ describe("the default plant", () => {
       stable: true,
       unstableSince: null,
       steppingError: null,
+      selfBuckling: null,
       residual: expect.any(Number),
       worstStepResidual: expect.any(Number),
       iterations: expect.any(Number),

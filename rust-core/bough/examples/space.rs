@@ -7,7 +7,10 @@
 use std::time::Instant;
 
 use bough::Growth;
+use bough::mechanics::{GROUND, Linkage};
 use bough::params::{BoughError, BranchingPattern, Degrees, Params, Stepping, Thickening};
+use bough::space::{Balance, NEUTRAL, Rods, Shape, exp, gather};
+use glam::{DQuat, DVec3};
 
 #[path = "shared/floor.rs"]
 mod floor;
@@ -24,6 +27,31 @@ fn floor_time() -> f64 {
         start.elapsed().as_secs_f64() * 1e3
     };
     (0..20).map(|_| time(&mut sums)).fold(f64::INFINITY, f64::min)
+}
+
+/// Shortest time of one iteration of a binary tree of rods in space, ns a rod.
+fn iteration_time(segments: u32) -> f64 {
+    let (mut linkage, mut shape) = (Linkage::default(), Shape::default());
+    for rod in 0..segments {
+        let parent = if rod == 0 { GROUND } else { (rod - 1) / 2 };
+        linkage.push(parent, 0.1, 100.0, 0.0);
+        let aside = DVec3::new(0.3, 0.2, if rod % 2 == 0 { 0.4 } else { -0.4 });
+        shape.push(exp(aside), DQuat::IDENTITY);
+    }
+    let mut force = vec![DVec3::NEG_Y * 1e-3; segments as usize];
+    gather(&linkage.parent, &mut force);
+    let (rods, mut balance) = (Rods::new(&linkage, 0.2), Balance::default());
+    balance.orient(rods, &shape);
+    let mut time = |shape: &mut Shape| {
+        let repeats = 1 + 200_000 / segments;
+        let start = Instant::now();
+        for _ in 0..repeats {
+            balance.weigh(rods, shape, &force, NEUTRAL);
+            balance.advance(rods, shape, 1e-3);
+        }
+        start.elapsed().as_secs_f64() * 1e9 / (f64::from(repeats) * f64::from(segments))
+    };
+    (0..20).map(|_| time(&mut shape)).fold(f64::INFINITY, f64::min)
 }
 
 /// A tree whose forks stand crosswise, on wood that seeks the light and thickens.
@@ -44,9 +72,15 @@ fn tree(generations: u32, stiffness: f64) -> Params {
 
 fn main() -> Result<(), BoughError> {
     println!("floor loop: {:.2} ns a segment", floor_time());
+    println!("one Newton iteration: torques, Hessian, elimination, step");
+    for segments in [1000_u32, 100_000] {
+        let (iteration, floor) = (iteration_time(segments), floor_time());
+        println!("{segments:>8} segments {iteration:.0} ns a segment, {:.1} x floor", iteration / floor);
+    }
     println!("grown with pipes, every step in equilibrium to 1e-10");
     println!("segments  steps  iterations/step      time  ns/(segment and iteration)  over floor    memory");
-    for generations in [6, 9, 12, 15] {
+    let sizes: &[u32] = if std::env::args().any(|it| it == "--quick") { &[6, 9] } else { &[6, 9, 12, 15] };
+    for &generations in sizes {
         let mut growth = Growth::new(&tree(generations, 5e9))?;
         let (mut worked, mut before) = (0.0, 0);
         let start = Instant::now();

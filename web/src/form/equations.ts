@@ -149,6 +149,27 @@ const count: Equation = {
     '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mn>0</mn><mo>≤</mo><mi>k</mi><mo>&lt;</mo><mi>N</mi></mrow></math>',
 };
 
+// R_i = R_p\, \Phi_i \exp(\hat\theta_i)
+const joint: Equation = {
+  caption: "Orientation of a segment in space",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><msub><mi>R</mi><mi>i</mi></msub><mo>=</mo><msub><mi>R</mi><mi>p</mi></msub><msub><mi mathvariant="normal">Φ</mi><mi>i</mi></msub><mi>exp</mi><mo>(</mo><msub><mi>θ</mi><mi>i</mi></msub><mo>)</mo></mrow></math>',
+};
+
+// r = \frac{\kappa_0}{\kappa_0^2 + \tau_0^2}, \quad h = \frac{2\pi\tau_0}{\kappa_0^2 + \tau_0^2}
+const helix: Equation = {
+  caption: "Radius and pitch of the helix that unloaded wood makes",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mi>r</mi><mo>=</mo><mfrac><msub><mi>κ</mi><mn>0</mn></msub><mrow><msubsup><mi>κ</mi><mn>0</mn><mn>2</mn></msubsup><mo>+</mo><msubsup><mi>τ</mi><mn>0</mn><mn>2</mn></msubsup></mrow></mfrac><mo separator="true">,</mo><mspace width="1em"></mspace><mi>h</mi><mo>=</mo><mfrac><mrow><mn>2</mn><mi>π</mi><msub><mi>τ</mi><mn>0</mn></msub></mrow><mrow><msubsup><mi>κ</mi><mn>0</mn><mn>2</mn></msubsup><mo>+</mo><msubsup><mi>τ</mi><mn>0</mn><mn>2</mn></msubsup></mrow></mfrac></mrow></math>',
+};
+
+// \frac{GJ}{EI} = 2\,\frac{G}{E}
+const shear: Equation = {
+  caption: "Stiffness against twisting over that against bending",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mfrac><mrow><mi>G</mi><mi>J</mi></mrow><mrow><mi>E</mi><mi>I</mi></mrow></mfrac><mo>=</mo><mn>2</mn><mfrac><mi>G</mi><mi>E</mi></mfrac></mrow></math>',
+};
+
 /** By the path of the parameter. */
 export const equations: Readonly<Record<string, Equation>> = {
   "axis.segments": length,
@@ -157,10 +178,16 @@ export const equations: Readonly<Record<string, Equation>> = {
   "axis.radius": kappa,
   "axis.taper": taper,
   "axis.elevation": rest,
+  "axis.azimuth": joint,
+  "axis.restCurvature": helix,
+  "axis.restCurvatureRoll": helix,
+  "axis.restTwist": helix,
   "material.youngsModulus": kappa,
   "material.density": mass,
+  "material.shearModulusRatio": shear,
   "tropism.elevation": tropism,
   "tropism.strength": tropism,
+  "tropism.azimuth": tropism,
   "growth.thickening": pipes,
   "branching.exponent": murray,
   "branching.girthRatio": girth,
@@ -174,6 +201,7 @@ export const equations: Readonly<Record<string, Equation>> = {
   "solver.discretization": second,
   "solver.tolerance": residual,
   "solver.stepping": rest,
+  "solver.space": joint,
   "branching.generations": ratio,
   "branching.pattern": murray,
   "branching.roll": girth,
@@ -181,4 +209,6 @@ export const equations: Readonly<Record<string, Equation>> = {
   "arrangement.count": count,
   "arrangement.spacing": spacing,
   "arrangement.interval": interval,
+  "arrangement.stemRadius": kappa,
+  "arrangement.stemElevation": joint,
 };
