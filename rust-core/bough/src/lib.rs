@@ -31,7 +31,7 @@ pub mod params;
 pub mod plant;
 pub mod trigonometry;
 
-pub use growth::{Growth, History, grow, relaxation};
+pub use growth::{Growth, History, grow, relaxation, sensitivity};
 pub use plant::Plant;
 
 /// Version of this crate, and of the npm package built from it.

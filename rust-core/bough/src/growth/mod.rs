@@ -9,6 +9,8 @@ mod pipes;
 mod plan;
 mod plant;
 mod pull;
+mod sensitivity;
+mod slope;
 mod state;
 mod stem;
 mod trajectory;
@@ -19,6 +21,7 @@ mod wood;
 
 pub use fork::Fork;
 pub use history::{History, grow};
+pub use sensitivity::{Sensitivity, sensitivity};
 pub use state::Growth;
-pub use trajectory::{Trajectory, relaxation};
+pub use trajectory::{Trajectory, iterations, relaxation};
 pub use tropism::turned;
