@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import { analysisAddress, loadAnalysis } from "../../web/src/engine/analysis.ts";
 import { Analyst } from "../../web/src/engine/analyst.ts";
-import { type Fit, fit, type Study } from "../../web/src/fit/fit.ts";
+import { type Fit, fitLine, type Study } from "../../web/src/fit/fit.ts";
 import { residualsOf, type Traced } from "../../web/src/fit/line.ts";
 import { studentQuantile } from "../../web/src/fit/student.ts";
 import { grow, init } from "../../web/src/package/node.ts";
@@ -88,7 +88,7 @@ test("50 random plants, traced with 2 px noise: recovered within the stated conf
     const path = chosen[plant % chosen.length] ?? "";
     const { traced, pixel } = trace(params, random);
     const start = astray(params, path, random);
-    const found = await fit(
+    const found = await fitLine(
       { params: start, step: params.axis.segments, paths: [path], traced, lastIsTip: true },
       study,
     );
@@ -120,7 +120,7 @@ describe("two parameters at once", () => {
     }));
     const start = astray(astray(params, "material.youngsModulus", random), "axis.elevation", random);
     const paths = ["material.youngsModulus", "axis.elevation"];
-    const found = await fit({ params: start, step: 1e5, paths, traced, lastIsTip: true }, study);
+    const found = await fitLine({ params: start, step: 1e5, paths, traced, lastIsTip: true }, study);
     if (found.kind !== "found") throw new Error(found.kind);
     for (const { path, value } of found.found) {
       expect(value / Number(valueAt(params, path))).toBeCloseTo(1, 6);
@@ -133,7 +133,7 @@ describe("two parameters at once", () => {
     const params = randomPlant(random, false);
     const { traced } = trace(params, random);
     const paths = ["axis.elevation", "material.youngsModulus", "material.density"];
-    const found = await fit({ params, step: 1e5, paths, traced, lastIsTip: true }, study);
+    const found = await fitLine({ params, step: 1e5, paths, traced, lastIsTip: true }, study);
     expect(found).toEqual({ kind: "inseparable", paths: ["material.youngsModulus", "material.density"] });
   });
 });
@@ -144,7 +144,7 @@ describe("what cannot be fitted is said", () => {
     { x: 0.2, y: 0.2 },
   ];
   const fitted = (paths: string[], change: ParamsInput = {}, traced: Traced[] = few): Promise<Fit> =>
-    fit({ params: complete(change), step: 40, paths, traced, lastIsTip: false }, study);
+    fitLine({ params: complete(change), step: 40, paths, traced, lastIsTip: false }, study);
   const many = Array.from({ length: 10 }, (_, k) => ({ x: 0.1 * k, y: 0.1 * k - 0.01 * k * k }));
 
   test("too few points", async () => {

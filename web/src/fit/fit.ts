@@ -60,7 +60,7 @@ export type Fit =
 export type Study = (params: Params, step: number, places: readonly Place[]) => Promise<Sensitivity | null>;
 
 /** Fits the main axis of a plant to a traced line. */
-export async function fit({ params, step, paths, traced, lastIsTip }: Wish, study: Study): Promise<Fit> {
+export async function fitLine({ params, step, paths, traced, lastIsTip }: Wish, study: Study): Promise<Fit> {
   const count = traced.length + (lastIsTip ? 1 : 0);
   if (count <= paths.length + 1) return { kind: "tooFew", least: paths.length + 2 - (lastIsTip ? 1 : 0) };
   const travels = paths.map((path) => travelOf(path, params));

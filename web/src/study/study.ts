@@ -3,9 +3,11 @@
  * page that is loaded after the first plant.
  */
 import { html, render, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
 import { Analyst } from "../engine/analyst.ts";
 import { Comparison } from "./comparison.ts";
 import type { Desk, Section, Sight } from "./desk.ts";
+import { Measuring } from "./measuring.ts";
 import { Overlay } from "./overlay.ts";
 import { Why } from "./why.ts";
 import { words } from "./words.ts";
@@ -24,7 +26,11 @@ export class Study {
     const analyst = new Analyst();
     const onChange = () => this.#refresh();
     const comparison = new Comparison(desk, onChange);
-    this.#sections = [new Why(desk, analyst, () => comparison.pinned, onChange), comparison];
+    this.#sections = [
+      new Why(desk, analyst, () => comparison.pinned, onChange),
+      comparison,
+      new Measuring(desk, analyst, onChange),
+    ];
     this.#overlay = desk.stage ? new Overlay(desk.stage, this.#sections) : null;
     this.#refresh();
   }
@@ -53,7 +59,7 @@ export class Study {
       ${this.#sections.map(
         (
           section,
-        ) => html`<details class="group ${section.name}" @toggle=${(event: Event) => this.#toggle(section, event)}>
+        ) => html`<details class="group ${section.name}" ?open=${live(section.open)} @toggle=${(event: Event) => this.#toggle(section, event)}>
           <summary>${section.title}</summary>
           ${section.open && this.#sight ? section.render() : ""}
         </details>`,
