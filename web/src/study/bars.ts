@@ -47,11 +47,13 @@ export class SensitivityBars {
     this.#asked = plant;
     const bars = await this.#find(plant);
     if (this.#asked !== plant) return;
-    this.#bars = bars;
+    // Cancelled with something else: the next time it is looked at it is found anew.
+    if (!bars) this.#asked = null;
+    else this.#bars = bars;
     this.#onChange();
   }
 
-  async #find(plant: Plant): Promise<Bars> {
+  async #find(plant: Plant): Promise<Bars | null> {
     const places = placesOf(plant.params);
     const none = (sentence: string): Bars => ({ of: plant, list: [], without: [], sentence });
     try {
@@ -82,6 +84,7 @@ export class SensitivityBars {
       list.sort((a, b) => Math.hypot(b.x, b.y) - Math.hypot(a.x, a.y));
       return { of: plant, list, without, sentence: null };
     } catch (error) {
+      if (error instanceof DOMException && error.name === "AbortError") return null;
       return none(words.why.failed(error instanceof Error ? error.message : String(error)));
     }
   }

@@ -96,8 +96,10 @@ export class Comparison implements Section {
   render(): TemplateResult {
     const a = this.#a;
     const plant = this.#plant;
+    // What a hand holds is no plant of its own.
+    const isReady = this.#rests && plant?.params.loads.forces.length === 0;
     const button = (text: string, act: () => void) =>
-      html`<button type="button" ?disabled=${!this.#rests} @click=${act}>${text}</button>`;
+      html`<button type="button" ?disabled=${!isReady} @click=${act}>${text}</button>`;
     const said = this.#said ? html`<p class="note" role="status">${this.#said}</p>` : nothing;
     if (!a || !plant) {
       return html`<p class="note">${words.compare.note}</p>

@@ -56,18 +56,26 @@ export class Tracing {
       onTake();
       void this.#take(file);
     };
-    const view = stage.canvas.closest<HTMLElement>(".view") ?? stage.canvas;
-    view.addEventListener("dragover", (event) => {
-      if ([...(event.dataTransfer?.items ?? [])].some(mayBePhoto)) event.preventDefault();
-    });
-    view.addEventListener("drop", (event) => {
-      const file = [...(event.dataTransfer?.files ?? [])].find(mayBePhoto);
-      // Other files are for others to take.
-      if (!file) return;
-      event.preventDefault();
-      event.stopPropagation();
-      take(file);
-    });
+    // Wherever it is dropped on the page, and before anyone else: other files are for others to take.
+    const early = { capture: true };
+    document.addEventListener(
+      "dragover",
+      (event) => {
+        if ([...(event.dataTransfer?.items ?? [])].some(mayBePhoto)) event.preventDefault();
+      },
+      early,
+    );
+    document.addEventListener(
+      "drop",
+      (event) => {
+        const file = [...(event.dataTransfer?.files ?? [])].find(mayBePhoto);
+        if (!file) return;
+        event.preventDefault();
+        event.stopPropagation();
+        take(file);
+      },
+      early,
+    );
     document.addEventListener("paste", (event) => {
       const file = [...(event.clipboardData?.files ?? [])].find(mayBePhoto);
       if (file) take(file);

@@ -167,15 +167,10 @@ export class Why implements Section {
 
   #saveDrawing({ target }: Event): void {
     const chart = (target as Element).closest("details")?.querySelector<SVGSVGElement>(".plots .chart");
-    const paper = getComputedStyle(document.documentElement).getPropertyValue("--sheet");
-    const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
-    const pair = /light-dark\((#\w+), *(#\w+)\)/.exec(paper);
-    if (chart)
-      offer(
-        drawingOf(chart, pair?.[isDark ? 2 : 1] ?? "#ffffff"),
-        "image/svg+xml",
-        "bough-along-the-axis.svg",
-      );
+    const panel = chart?.closest(".panel");
+    if (!chart || !panel) return;
+    const paper = getComputedStyle(panel).backgroundColor;
+    offer(drawingOf(chart, paper), "image/svg+xml", "bough-along-the-axis.svg");
   }
 
   #saveNumbers(profile: Profile): void {
