@@ -42,6 +42,7 @@ export class Explorer {
   #picture: Picture | null = null;
   #touch: Touch | null = null;
   #study: Study | null = null;
+  #openStudy = async () => {};
   #plant: Plant | null = null;
   #grown: Plant | null = null;
   #progress: number | null = null;
@@ -80,8 +81,8 @@ export class Explorer {
     const starting = startEngine();
     this.#openPicture();
     try {
+      this.#openStudy = () => this.#layOut(startEngine);
       await this.#use(await starting);
-      this.#late.load(() => this.#openStudy(startEngine));
     } catch (error) {
       this.#fail(error);
     }
@@ -128,7 +129,7 @@ export class Explorer {
   }
 
   /** What there is to study about the plant, in a place of its own beside the picture. */
-  async #openStudy(startEngine: () => Promise<Engine>): Promise<void> {
+  async #layOut(startEngine: () => Promise<Engine>): Promise<void> {
     const host = this.#root.querySelector<HTMLElement>(".study");
     const { Study } = await import("../study/study.ts");
     const stage = this.#picture?.stage ?? null;
@@ -185,6 +186,7 @@ export class Explorer {
   #show(plant: Plant, grown: Plant): void {
     const before = this.#plant;
     const isFirst = before === null;
+    if (isFirst) this.#late.load(() => this.#openStudy());
     this.#notices.dismiss(({ passes }) => passes);
     if (before !== plant) this.#passage.stop();
     this.#plant = plant;
