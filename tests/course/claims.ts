@@ -87,18 +87,18 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
   },
 
   gravity: () => {
-    const at = (step: number) => plantOf("gravity", {}, step);
+    const at = (step: number) => plantOf("axis", {}, step);
     const q = (step: number) => numberText(at(step).report.gravityNumber, 2);
-    const full = plantOf("gravity");
-    const moon = plantOf("gravity", { [gravity]: 1.62 });
-    const thick = plantOf("gravity", { "axis.radius": 2 * full.params.axis.radius });
+    const full = plantOf("axis");
+    const moon = plantOf("axis", { [gravity]: 1.62 });
+    const thick = plantOf("axis", { "axis.radius": 2 * full.params.axis.radius });
     const { axis } = full.params;
     const moonLike = axis.segments * Math.cbrt(1.62 / 9.81);
-    const earthly = plantOf("gravity", {
+    const earthly = plantOf("axis", {
       "axis.segmentLength": (moonLike * axis.segmentLength) / axis.segments,
     });
     const level = plantWith({ axis: { elevation: 0 }, loads: { gravity: 0.01 } });
-    const static_ = grow(paramsOf("gravity", { "solver.stepping": "static" }));
+    const static_ = grow(paramsOf("axis", { "solver.stepping": "static" }));
     return [
       `It begins as one segment, at ${degrees(axis.elevation, 0)} above the horizontal`,
       `up to ${quantityText(measure(full).length, "m")}. Move its age`,
@@ -197,7 +197,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
   },
 
   pipes: () => {
-    const [full, still, off] = [plantOf("pipes"), plantOf("pipes", weightless), plantOf("pipes", removed)];
+    const [full, still, off] = [plantOf("rings"), plantOf("rings", weightless), plantOf("rings", removed)];
     const cm = (value: number) => digits(100 * value);
     const { segments } = full;
     const memory = plantOf("memory");
@@ -243,9 +243,9 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
   forks: () => {
     const equal = fork(2.49, 1);
     const unequal = fork(2.49, 0.8);
-    const rising = paramsOf("forks");
+    const rising = paramsOf("fork");
     const hanging = paramsOfPreset("figure-18a");
-    const { segments, polylines } = plantOf("forks", weightless);
+    const { segments, polylines } = plantOf("fork", weightless);
     const turn = (axis: number) => {
       const [first = 0, second = 0] = [polylines.offsets[axis] ?? 0, (polylines.offsets[axis] ?? 0) + 1];
       const [x, y] = [0, 1].map(
@@ -253,7 +253,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       );
       return Math.abs((Math.atan2(y ?? 0, x ?? 0) * 180) / Math.PI - rising.axis.elevation);
     };
-    const closed = plantOf("forks", { ...weightless, "branching.exponent": 2 });
+    const closed = plantOf("fork", { ...weightless, "branching.exponent": 2 });
     const share = (ratio: number) => fork(2.49, ratio);
     return [
       `$\\alpha = ${rising.branching.exponent}$, which the paper takes`,
@@ -281,7 +281,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       "Set the exponent to 2, da Vinci's rule.",
       ["both children go straight on", Math.abs(direction(closed) - rising.axis.elevation) < 1e-6],
       "Bough takes none below 2.",
-      ["so Bough takes none below 2", throws(() => plantOf("forks", { "branching.exponent": 1.99 }))],
+      ["so Bough takes none below 2", throws(() => plantOf("fork", { "branching.exponent": 1.99 }))],
       ["it goes on nearly straight and nearly as thick as before", share(0.2).x < 3 && share(0.2).d1 > 0.99],
       ["The thin one stands off more and more", share(0.2).y > share(0.5).y && share(0.5).y > share(0.8).y],
       `of a fork with ratio 0.8 would turn ${degrees(printedAngle(2.49, 0.8))} aside`,
@@ -296,7 +296,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
     const strong = grow(paramsOfPreset("figure-20b"));
     const against = (elevation: number, strength: number) =>
       direction(plantOf("segment", { "axis.elevation": elevation, "tropism.strength": strength }));
-    const at = (strength: number) => spread(plantOf("vector", { "tropism.strength": strength }));
+    const at = (strength: number) => spread(plantOf("broom", { "tropism.strength": strength }));
     const twice = turned(turned(80, 0.3), 0.5);
     return [
       "With $\\lambda = 0$ nothing happens.",
@@ -313,8 +313,8 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       `at −89° it turns, slowly at first, to −${degrees(-against(-89, 10))} with 10 per metre`,
       ["Only a far stronger tropism brings it all the way up", against(-89, 1e6) > 89.9],
       ["So it does not matter how finely an axis is cut", Math.abs(twice - turned(80, 0.8)) < 1e-9],
-      `the first one starts, ${degrees(paramsOf("vector").axis.elevation, 0)} upwards`,
-      `Move the strength from ${paramsOf("vector").tropism.strength} per metre, where the figure starts, towards ${paramsOfPreset("figure-21a").tropism.strength} per metre, which is figure 21 a`,
+      `the first one starts, ${degrees(paramsOf("broom").axis.elevation, 0)} upwards`,
+      `Move the strength from ${paramsOf("broom").tropism.strength} per metre, where the figure starts, towards ${paramsOfPreset("figure-21a").tropism.strength} per metre, which is figure 21 a`,
       ["run alongside each other again", at(18) < 0.6 * at(0.8)],
       "In equations 56, 58 and 59",
       "The result, 73, is right.",

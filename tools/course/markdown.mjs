@@ -1,4 +1,5 @@
-// Markdown of the course as HTML. What is written in HTML stays as it is; a block ```figure``` becomes a live plant.
+// Markdown of the course as HTML. What is written in HTML stays as it is; a block ```figure``` becomes a live plant, and
+// one that is a file of a recipe, as ```html reveal/index.html```, says its name.
 
 import MarkdownIt from "markdown-it";
 import { equations } from "./equation.mjs";
@@ -13,5 +14,7 @@ const { fence } = rules;
 rules.fence = (tokens, index, ...rest) => {
   const token = tokens[index];
   if (token?.info === "figure") return figureBlock(token.content, (text) => markdown.renderInline(text));
-  return fence?.(tokens, index, ...rest) ?? "";
+  const [, file] = token?.info.split(" ") ?? [];
+  const name = file ? `<p class="file">${file.replace(/^\w+\//, "")}</p>\n` : "";
+  return name + (fence?.(tokens, index, ...rest) ?? "");
 };
