@@ -64,7 +64,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       ["which the paper puts at its far end", solver.discretization === "paper" && axis.segments === 1],
       `One segment, ${quantityText(axis.segmentLength, "m")} long, on one spring`,
       ["with no weight, the spring would hold it level", direction(plantOf("joint", weightless)) === 0],
-      `For the rod above $\\kappa$ is ${digits(kappa)} N m.`,
+      `For the rod above $\\kappa$ is ${digits(kappa)} N m (chapter 3`,
       `It comes to rest ${degrees(-direction(one))} below the horizontal, with ${digits(kappa * theta)} N m on both sides`,
       // Both sides, indeed: to the solver's tolerance.
       ["both sides of the equation", Math.abs(kappa * theta - torque) < 1e-9],
@@ -224,10 +224,10 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       `Each new segment was set at ${degrees(full.params.tropism.elevation, 0)} while`,
       `the tip points ${degrees(direction(off))} up`,
       // Slight bending, forty segments: half a per cent.
-      ["Then …", Math.abs(-height(memory) / ((k * measure(memory).length ** 3) / 3) - 1) < 0.005],
+      ["the tip sinks by …", Math.abs(-height(memory) / ((k * measure(memory).length ** 3) / 3) - 1) < 0.005],
       // What is made in one piece thickens in steps, of which the last are coarse: six per cent.
       [
-        "would sag only $K L^3/9$",
+        "would sag only $c\\,L^3/9$",
         Math.abs(-height(piece) / ((k * measure(piece).length ** 3) / 9) - 1) < 0.07,
       ],
       [
@@ -304,7 +304,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       ["With a large $\\lambda$ the segment ends up along the vector", turned(50, 40) < 1e-9],
       `one segment of ${quantityText(axis.segmentLength, "m")}, weightless, that starts at ${degrees(axis.elevation, 0)}`,
       `the segment stands ${degrees(phi0, 0)} off the vector, and $k$ is ${tropism.strength} per metre`,
-      `stands for half of the segment, ${(50 * axis.segmentLength).toFixed(0)} cm, so $\\lambda$ is ${lambda}.`,
+      `stands for half of the segment, ${(50 * axis.segmentLength).toFixed(0)} cm, as in chapter 3, so $\\lambda$ is ${lambda}.`,
       `turns ${degrees(phi0, 0)} into ${degrees(turned(phi0, lambda))}: the segment points ${degrees(direction(plantOf("segment")))} upwards`,
       `strong tropism, of ${strong.params.tropism.strength} per metre, brings it to ${degrees(direction(strong))}`,
       "straight down, at −90°, exactly against the vector",
@@ -352,6 +352,12 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
         "one hangs forward, as we expect; one is bent over backwards",
         (all[0]?.[0] ?? 0) > 0 && (all.at(-1)?.[0] ?? 0) < 0,
       ],
+      "Figure 13 d of the paper",
+      ["with ten axes", paramsOf("stem").arrangement.count === 10],
+      `What is special about ${degrees(paramsOf("stem").arrangement.divergence)}?`,
+      ["180° makes two rows, 120° three.", rows(180) === 2 && rows(120) === 3],
+      `With ${degrees(paramsOf("stem").arrangement.divergence)}, the golden angle`,
+      ["no two axes ever come to stand one above the other", rows(137.5) === 10],
       [
         "Growth leads to the first",
         Math.hypot(measure(grown).tip[0] - (all[0]?.[0] ?? 0), measure(grown).tip[1] - (all[0]?.[1] ?? 0)) <
@@ -360,6 +366,17 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
     ];
   },
 };
+
+/** In how many directions the axes around the stem leave it, to a degree. */
+function rows(divergence: number): number {
+  const { polylines } = plantOf("stem", { "arrangement.divergence": divergence });
+  const headings = [...polylines.offsets].slice(1, -1).map((start) => {
+    const along = (k: number) =>
+      (polylines.points[3 * start + 3 + k] ?? 0) - (polylines.points[3 * start + k] ?? 0);
+    return (Math.round((Math.atan2(along(2), along(0)) * 180) / Math.PI) + 360) % 360;
+  });
+  return new Set(headings).size;
+}
 
 /** Share of the plant's width that its last generation takes: how far the tips stand apart, m. */
 function spread({ polylines, segments }: ReturnType<typeof grow>): number {

@@ -117,6 +117,17 @@ describe("an element in a bare page", () => {
     await page.context().close();
   });
 
+  it("prints its picture without the controls, also once they are there", async () => {
+    const { page } = await show(`<bough-plant ${narrow}></bough-plant>`);
+    await drawn(page);
+    const gravity = page.getByRole("slider", { name: "Gravity" });
+    expect(await gravity.isVisible()).toBe(true);
+    await page.emulateMedia({ media: "print" });
+    expect(await gravity.isVisible()).toBe(false);
+    expect(await page.locator("canvas.picture").isVisible()).toBe(true);
+    await page.context().close();
+  });
+
   it("takes a link of the page instead", async () => {
     const { page } = await show(
       `<bough-plant link="https://example.org/bough/?v=1&preset=figure-13a&g=4&step=9&color=age#top"></bough-plant>`,

@@ -92,11 +92,15 @@ const matrix = [
   },
 ];
 
+/** @type {Promise<void> | undefined} */
+let built;
+
 /** The hosts as shards of the soak. */
 export const hosts = matrix.map(({ name, run }) => ({
   name,
   run: async () => {
-    await buildSite();
+    built ??= buildSite();
+    await built;
     const folder = mkdtempSync(join(tmpdir(), "bough-host-"));
     const browser = await launchChromium();
     try {

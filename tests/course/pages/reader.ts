@@ -35,16 +35,32 @@ export async function open(
   return { page, problems };
 }
 
-/** Draws some live figures of the page, one after the other; how long each took, ms. */
-export function draw(page: Page, ids: readonly string[]): Promise<[id: string, time: number][]> {
-  return page.evaluate(async (ids) => {
-    const times: [string, number][] = [];
-    for (const id of ids) {
-      const plant = document.querySelector<HTMLElementTagNameMap["bough-plant"]>(`bough-plant#${id}`);
+/** How long a figure took until it was drawn, ms. */
+export interface Drawing {
+  readonly id: string;
+  /** By the clock. */
+  readonly clock: number;
+  /** Of processors, in all processes of the browser. */
+  readonly computing: number;
+}
+
+/** Draws some live figures of the page, one after the other. */
+export async function draw(page: Page, ids: readonly string[]): Promise<Drawing[]> {
+  const session = await page.context().browser()?.newBrowserCDPSession();
+  const computed = async () => {
+    const { processInfo = [] } = (await session?.send("SystemInfo.getProcessInfo")) ?? {};
+    return 1000 * processInfo.reduce((sum, { cpuTime }) => sum + cpuTime, 0);
+  };
+  const drawings: Drawing[] = [];
+  for (const id of ids) {
+    const before = await computed();
+    const clock = await page.locator(`bough-plant#${id}`).evaluate(async (element) => {
       const start = performance.now();
-      await plant?.toBlob();
-      times.push([id, performance.now() - start]);
-    }
-    return times;
-  }, ids);
+      await (element as HTMLElementTagNameMap["bough-plant"]).toBlob();
+      return performance.now() - start;
+    });
+    drawings.push({ id, clock, computing: (await computed()) - before });
+  }
+  await session?.detach();
+  return drawings;
 }

@@ -69,6 +69,7 @@ input[type="range"] { width: 100%; min-width: 0; height: 1.5rem; margin: 0; acce
 input[type="checkbox"] { width: 1.1rem; height: 1.1rem; margin: 0; accent-color: var(--accent); }
 summary { padding: 0.3rem 0; cursor: pointer; }
 .foot { display: flex; justify-content: end; }
+@media print { .controls { display: none; } }
 @container (max-width: 34rem) {
   .compact .usual > :nth-child(2) { display: none; }
 }
