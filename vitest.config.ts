@@ -6,7 +6,7 @@ export default defineConfig({
       {
         test: {
           name: "unit",
-          include: ["tests/{unit,contract}/**/*.test.ts"],
+          include: ["tests/{unit,contract}/**/*.test.ts", "tests/course/*.test.ts"],
           // Thousands of random cases take a second or two, and many more on a busy machine.
           testTimeout: 30_000,
         },
@@ -22,7 +22,7 @@ export default defineConfig({
       {
         test: {
           name: "browser",
-          include: ["tests/{browser,element}/**/*.test.ts"],
+          include: ["tests/{browser,element}/**/*.test.ts", "tests/course/pages/*.test.ts"],
           globalSetup: "tests/browser/serve.ts",
           // WebGL is computed on the CPU here: one page at a time, and time enough for slow machines.
           fileParallelism: false,

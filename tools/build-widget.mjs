@@ -30,7 +30,7 @@ export async function buildWidget(outDir = site) {
   });
   await bundle({
     ...shared,
-    plugins: [leanThree(), withoutGlobals(), wasmInside(), plainLetters()],
+    plugins: wholeWidget(),
     build: {
       ...kept,
       lib: {
@@ -42,6 +42,11 @@ export async function buildWidget(outDir = site) {
       rollupOptions: { output: { codeSplitting: false } },
     },
   });
+}
+
+/** What makes one file of the element, with everything inside. */
+export function wholeWidget() {
+  return [leanThree(), withoutGlobals(), wasmInside(), plainLetters()];
 }
 
 /**

@@ -1,5 +1,6 @@
-// npm run build: set-up, then the site in dist/site and the npm package in dist/package.
+// npm run build: set-up, then the site in dist/site, the npm package in dist/package, and the notebook's widget in python/.
 
+import { buildNotebook } from "./build-notebook.mjs";
 import { buildPackage } from "./build-package.mjs";
 import { buildSite } from "./build-site.mjs";
 import { orExplain } from "./obstacle.mjs";
@@ -9,4 +10,5 @@ await orExplain(async () => {
   await setUp();
   await buildSite();
   await buildPackage();
+  await buildNotebook();
 });

@@ -1,10 +1,12 @@
 // npm run figures: every preset as the page draws it. They become docs/figures.png, the contact sheet of the paper, and
-// public/presets/<id>.webp, the thumbnails of the gallery; the plant of the bare page is default.webp among them.
+// public/presets/<id>.webp, the thumbnails of the gallery; the plant of the bare page is default.webp among them. Then the
+// posters of the course; they alone with `npm run figures -- posters`.
 
 import { mkdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { build, preview, runnerImport } from "vite";
 import { launchChromium } from "./chromium.mjs";
+import { makePosters } from "./figures/posters.mjs";
 import { makeSheet } from "./figures/sheet.mjs";
 import { makeThumbnail } from "./figures/thumbnail.mjs";
 import { orExplain } from "./obstacle.mjs";
@@ -36,6 +38,17 @@ const unannotated = `${onlyPlant} .annotation, .annotation * { visibility: hidde
 
 await orExplain(async () => {
   await setUpForTests();
+  const browser = await launchChromium();
+  try {
+    if (!process.argv.includes("posters")) await drawPresets(browser);
+    await makePosters(browser);
+  } finally {
+    await browser.close();
+  }
+});
+
+/** @param {import("playwright").Browser} browser */
+async function drawPresets(browser) {
   const folder = join(root, "dist", "figures");
   await build({ logLevel: "error", build: { outDir: folder } });
   const server = await preview({
@@ -43,7 +56,6 @@ await orExplain(async () => {
     build: { outDir: folder },
     preview: { host: "127.0.0.1", port: 0 },
   });
-  const browser = await launchChromium();
   try {
     const { module } = await runnerImport(join(root, "web/src/params/declaration.ts"));
     /** @type {Figure[]} */
@@ -60,10 +72,9 @@ await orExplain(async () => {
       await writeFile(join(thumbnails, `${id}.webp`), await makeThumbnail(browser, plant));
     }
   } finally {
-    await browser.close();
     await server.close();
   }
-});
+}
 
 /**
  * @param {import("playwright").Browser} browser

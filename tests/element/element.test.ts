@@ -86,6 +86,48 @@ describe("an element in a bare page", () => {
     await page.context().close();
   });
 
+  it("has the controls that its author names, in that order, and others when they are changed", async () => {
+    const { page } = await show(
+      `<bough-plant fields="tropism.strength loads.gravity growth.thickening" ${narrow}></bough-plant>`,
+    );
+    await drawn(page);
+    const labels = () =>
+      on(page, ({ shadowRoot }) =>
+        [...(shadowRoot?.querySelectorAll<HTMLElement>(".dial") ?? [])]
+          .filter((dial) => dial.offsetWidth > 0)
+          .map((dial) => dial.firstElementChild?.textContent),
+      );
+    expect(await labels()).toEqual(["Age", "Tropism strength", "Gravity", "Thickening"]);
+    await page.getByRole("slider", { name: "Gravity" }).fill("2");
+    await page.waitForFunction(() => document.querySelector("bough-plant")?.link === "?v=1&g=2");
+    await on(page, async (plant) => {
+      plant.fields = "axis.segments";
+      await plant.settled();
+    });
+    expect(await labels()).toEqual(["Age", "Segments"]);
+    // Only one age: nothing to choose, nothing to watch.
+    await page.getByRole("slider", { name: "Segments" }).fill("1");
+    await page.getByRole("button", { name: "Watch it grow" }).waitFor({ state: "hidden" });
+    expect(await labels()).toEqual(["Segments"]);
+    await on(page, async (plant) => {
+      plant.fields = null;
+      await plant.settled();
+    });
+    expect(await labels()).toEqual(["Elevation", "Gravity"]);
+    await page.context().close();
+  });
+
+  it("prints its picture without the controls, also once they are there", async () => {
+    const { page } = await show(`<bough-plant ${narrow}></bough-plant>`);
+    await drawn(page);
+    const gravity = page.getByRole("slider", { name: "Gravity" });
+    expect(await gravity.isVisible()).toBe(true);
+    await page.emulateMedia({ media: "print" });
+    expect(await gravity.isVisible()).toBe(false);
+    expect(await page.locator("canvas.picture").isVisible()).toBe(true);
+    await page.context().close();
+  });
+
   it("takes a link of the page instead", async () => {
     const { page } = await show(
       `<bough-plant link="https://example.org/bough/?v=1&preset=figure-13a&g=4&step=9&color=age#top"></bough-plant>`,
@@ -241,6 +283,7 @@ describe("what cannot be shown", () => {
     [{ drawing: "sketch" }, "notAnOption", "drawing"],
     [{ theme: "sepia" }, "notAnOption", "theme"],
     [{ controls: "many" }, "notAnOption", "controls"],
+    [{ fields: "loads.gravity loads.weight" }, "notAnOption", "fields"],
     [{ step: "last" }, "outOfRange", "step"],
   ])("%j is told as %s of %s, in an event and a sentence", async (bad, code, path) => {
     const { issues, message, said, link } = await refusal(bad);

@@ -17,6 +17,9 @@ const glue = join(rustCore, "target", "glue");
 const wasm = join(generated, "bough.wasm");
 const stamp = join(generated, ".made-from");
 
+/** The two that are made, and the crates they come from: what grows plants, and what is loaded only to study one. */
+const bindings = { bough: "bough_wasm", "bough-analysis": "bough_analysis" };
+
 const optimisation = "-O3";
 /** What rustc uses of WebAssembly's later features; wasm-opt may use no others. */
 export const features = [
@@ -37,17 +40,23 @@ export async function buildCore() {
   const toolchain = await findToolchain();
   const compiled = await compile(toolchain);
   await runCommand("compiling the build tool", buildXtask());
-  await runCommand("making the JavaScript glue", xtask("glue", compiled, glue));
   await runCommand("printing the parameters' declaration and types", xtask("declaration", generated));
-  for (const file of ["bough.js", "bough.d.ts"]) copyFileSync(join(glue, file), join(generated, file));
-  await optimise(join(glue, "bough_bg.wasm"));
+  for (const [name, file] of Object.entries(bindings)) {
+    await runCommand(
+      `making the JavaScript glue of ${name}`,
+      xtask("glue", join(compiled, `${file}.wasm`), glue, name),
+    );
+    for (const made of [`${name}.js`, `${name}.d.ts`]) copyFileSync(join(glue, made), join(generated, made));
+    await optimise(join(glue, `${name}_bg.wasm`), join(generated, `${name}.wasm`));
+  }
   writeFileSync(join(generated, "bough-base64.ts"), base64Module(readFileSync(wasm)));
   writeFileSync(stamp, `${toolchain.name} ${sources}`);
 }
 
 /** @param {string} sources */
 function isUpToDate(sources) {
-  if (!existsSync(stamp) || !existsSync(wasm)) return false;
+  const isThere = (/** @type {string} */ name) => existsSync(join(generated, `${name}.wasm`));
+  if (!existsSync(stamp) || !Object.keys(bindings).every(isThere)) return false;
   const [way, made] = readFileSync(stamp, "utf8").split(" ");
   return made === sources && way === (forcedWay() ?? way);
 }
@@ -55,15 +64,16 @@ function isUpToDate(sources) {
 /**
  * Each way has its own target folder: switching between them rebuilds nothing.
  * @param {import("./wasm-target.mjs").Toolchain} toolchain
- * @returns {Promise<string>} the path of the compiled wasm
+ * @returns {Promise<string>} the folder of the compiled wasm
  */
 async function compile({ name, cargo: executable, args, env }) {
   const folder = join(rustCore, "target", name);
-  const what = ["--release", "--package", "bough-wasm", "--target", target, "--target-dir", folder];
+  const packages = Object.values(bindings).flatMap((file) => ["--package", file.replace("_", "-")]);
+  const what = ["--release", ...packages, "--target", target, "--target-dir", folder];
   await runCommand(`compiling the core to wasm (${name})`, cargo("build", [...what, ...args], executable), {
     env: { ...env, CARGO_ENCODED_RUSTFLAGS: rustFlags().join("\x1f") },
   });
-  return join(folder, target, "release", "bough_wasm.wasm");
+  return join(folder, target, "release");
 }
 
 /**
@@ -80,10 +90,13 @@ export function rustFlags() {
   ];
 }
 
-/** @param {string} input */
-async function optimise(input) {
+/**
+ * @param {string} input
+ * @param {string} output
+ */
+async function optimise(input, output) {
   const wasmOpt = nodeCommand("binaryen", "wasm-opt");
-  await runCommand("optimising the wasm", [...wasmOpt, optimisation, ...features, input, "-o", wasm]);
+  await runCommand("optimising the wasm", [...wasmOpt, optimisation, ...features, input, "-o", output]);
 }
 
 /** For places that cannot load a second file: the same wasm as text, compressed to less than half. @param {Buffer} bytes */

@@ -6,8 +6,8 @@ import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join, relative } from "node:path";
 import { root } from "../paths.mjs";
 
-/** What changes nothing in the build: outputs, and code that only tests run. */
-const ignored = new Set(["target", "tests", "benches", "examples", "docs", "fuzz"]);
+/** What changes nothing in the build: outputs, what is installed, and code that only tests run. */
+const ignored = new Set(["target", "tests", "benches", "examples", "docs", "fuzz", "node_modules", ".venv"]);
 
 /** @param {readonly string[]} paths */
 export function fingerprintOf(paths) {

@@ -9,7 +9,7 @@ const file = join(root, "dist", "soak.json");
 
 export class Progress {
   #sources = fingerprintOf(
-    ["rust-core", "web", "tests", "tools", "package-lock.json"].map((path) => join(root, path)),
+    ["rust-core", "web", "python", "tests", "tools", "package-lock.json"].map((path) => join(root, path)),
   );
   /** @type {Set<string>} */
   #passed;

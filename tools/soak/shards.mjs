@@ -6,6 +6,7 @@ import { buildSite } from "../build-site.mjs";
 import { cargo, nodeCommand } from "../commands.mjs";
 import { matrix } from "../consumers/matrix.mjs";
 import { runMatrix } from "../consumers/run-matrix.mjs";
+import { hosts } from "../hosts/matrix.mjs";
 import { packageFolder, root, rustCore } from "../paths.mjs";
 import { runCommand } from "../run-command.mjs";
 import { leastRust } from "../setup/rust.mjs";
@@ -28,6 +29,7 @@ export const shards = [
       return "";
     },
   })),
+  ...hosts.map(({ name, run }) => ({ job: "course", name: `a course page in ${name}`, run })),
   { job: "memory", name: "a million plants", run: memory },
   { job: "widgets", name: "thirty widgets and two dozen frames, five rounds of each", run: widgets },
   { job: "rust", name: "the oldest Rust that is promised", run: oldestRust },

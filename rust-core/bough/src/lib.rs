@@ -34,7 +34,7 @@ pub mod plant;
 pub mod space;
 pub mod trigonometry;
 
-pub use growth::{Growth, History, grow, relaxation};
+pub use growth::{Growth, History, grow, relaxation, sensitivity};
 pub use plant::Plant;
 
 /// Version of this crate, and of the npm package built from it.

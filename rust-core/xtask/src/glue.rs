@@ -5,11 +5,11 @@ use std::path::Path;
 use anyhow::Result;
 use wasm_bindgen_cli_support::Bindgen;
 
-/// Writes `bough.js`, `bough.d.ts` and `bough_bg.wasm` into the folder.
-pub(crate) fn generate(wasm: &Path, folder: &Path) -> Result<()> {
+/// Writes `<name>.js`, `<name>.d.ts` and `<name>_bg.wasm` into the folder.
+pub(crate) fn generate(wasm: &Path, folder: &Path, name: &str) -> Result<()> {
     Bindgen::new()
         .input_path(wasm)
-        .out_name("bough")
+        .out_name(name)
         .web(true)?
         // Who calls says where the wasm is. A default path would make bundlers pack it, or inline it, unasked.
         .omit_default_module_path(true)

@@ -1,7 +1,7 @@
 //! Build tool of Bough. What it writes is made from the wasm or from the declaration of the parameters.
 //!
 //! ```text
-//! xtask glue <wasm> <folder>           JavaScript and types that load the wasm
+//! xtask glue <wasm> <folder> <name>    JavaScript and types that load the wasm
 //! xtask declaration <folder>           declaration.ts and params.ts
 //! xtask reference [--check] <file>     the table of parameters in the docs; --check fails when it is stale
 //! ```
@@ -20,11 +20,13 @@ use anyhow::{Context, Result, bail, ensure};
 fn main() -> Result<()> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["glue", wasm, folder] => glue::generate(Path::new(wasm), Path::new(folder)),
+        ["glue", wasm, folder, name] => glue::generate(Path::new(wasm), Path::new(folder), name),
         ["declaration", folder] => write_declaration(Path::new(folder)),
         ["reference", file] => write(Path::new(file), &reference::markdown()?),
         ["reference", "--check", file] => check(Path::new(file), &reference::markdown()?),
-        _ => bail!("xtask takes: glue <wasm> <folder> | declaration <folder> | reference [--check] <file>"),
+        _ => bail!(
+            "xtask takes: glue <wasm> <folder> <name> | declaration <folder> | reference [--check] <file>"
+        ),
     }
 }
 

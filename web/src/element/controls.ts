@@ -31,8 +31,8 @@ export interface Actions {
 /** One of the kinds of controls. */
 export type ControlKind = (typeof controlKinds)[number];
 
-/** What a reader meets first. The second gives way where there is little room. */
-const main: readonly string[] = ["axis.elevation", "material.youngsModulus", "loads.gravity"];
+/** What a reader meets first, if the author names nothing else. The second gives way where there is little room. */
+const usual: readonly string[] = ["axis.elevation", "material.youngsModulus", "loads.gravity"];
 
 const sheetText = `
 .controls {
@@ -69,8 +69,9 @@ input[type="range"] { width: 100%; min-width: 0; height: 1.5rem; margin: 0; acce
 input[type="checkbox"] { width: 1.1rem; height: 1.1rem; margin: 0; accent-color: var(--accent); }
 summary { padding: 0.3rem 0; cursor: pointer; }
 .foot { display: flex; justify-content: end; }
+@media print { .controls { display: none; } }
 @container (max-width: 34rem) {
-  .compact .dials > :nth-child(2) { display: none; }
+  .compact .usual > :nth-child(2) { display: none; }
 }
 @container (min-width: 46rem) {
   figure.full { display: grid; grid-template: auto / minmax(0, 1fr) 19rem; }
@@ -91,11 +92,17 @@ export class Controls {
   readonly #host: HTMLElement;
   readonly #play = element("button", { class: "play", part: "play", type: "button" });
   readonly #age: ReturnType<typeof rangeOf>;
+  readonly #time = element("div", { class: "time" });
   readonly #dials = new Map<string, Dial>();
   readonly #looks: readonly (readonly ["view" | "color" | "style", Dial])[];
 
-  /** Fills an element with controls of a kind. */
-  constructor(host: HTMLElement, kind: Exclude<ControlKind, "none">, actions: Actions) {
+  /** Fills an element with controls of a kind; `fields` are the paths of those that come first. */
+  constructor(
+    host: HTMLElement,
+    kind: Exclude<ControlKind, "none">,
+    fields: readonly string[] | null,
+    actions: Actions,
+  ) {
     this.#host = host;
     this.#age = rangeOf("Age", { min: "1", max: "1", step: "1" }, actions.age);
     this.#play.addEventListener("click", actions.togglePlay);
@@ -105,7 +112,8 @@ export class Controls {
       this.#dials.set(parameter.path, dial);
       return dial.element;
     };
-    const first = parameters.filter(({ path }) => main.includes(path)).map(make);
+    const main = fields ?? usual;
+    const first = main.flatMap((path) => parameters.filter((one) => one.path === path).map(make));
     const looks = {
       color: choiceOf("Colour", named(colors), (color) => actions.look({ color: color as State["color"] })),
       style: choiceOf("Drawing", named(styles), (style) => actions.look({ style: style as State["style"] })),
@@ -113,18 +121,19 @@ export class Controls {
     };
     this.#looks =
       kind === "full" ? (["color", "style", "view"] as const).map((key) => [key, looks[key]]) : [];
+    this.#time.append(this.#play, this.#age.element);
     host.setAttribute("role", "group");
     host.setAttribute("aria-label", "Controls");
     host.replaceChildren(
-      element("div", { class: "time" }, this.#play, this.#age.element),
-      element("div", { class: "dials", part: "dials" }, ...first),
+      this.#time,
+      element("div", { class: fields ? "dials" : "dials usual", part: "dials" }, ...first),
     );
     if (kind !== "full") return;
     const reset = element("button", { type: "button", part: "reset" }, "Reset all");
     reset.addEventListener("click", actions.reset);
     host.append(
       element("div", { class: "dials" }, ...this.#looks.map(([, dial]) => dial.element)),
-      ...groups().map(([group, members]) =>
+      ...groups(main).map(([group, members]) =>
         element(
           "details",
           {},
@@ -145,6 +154,7 @@ export class Controls {
       this.#play.replaceChildren(icon(plays ? "M7 4.5v11M13 4.5v11" : "M6.5 4.2v11.6l9-5.8z"));
     }
     const { input, output } = this.#age;
+    this.#time.hidden = last === 1;
     input.max = String(last);
     input.value = String(step);
     input.setAttribute("aria-valuetext", `growth step ${step} of ${last}`);
@@ -163,7 +173,7 @@ function named(options: readonly string[]): [string, string][] {
 }
 
 /** All parameters but the main ones, by group. */
-function groups(): [group: string, members: Parameter[]][] {
+function groups(main: readonly string[]): [group: string, members: Parameter[]][] {
   const others = parameters.filter(({ path }) => !main.includes(path));
   const names = [...new Set(others.map(({ path }) => groupAndField(path)[0]))];
   return names.map((group) => [group, others.filter(({ path }) => groupAndField(path)[0] === group)]);

@@ -148,6 +148,15 @@ export class BoughPlantElement extends Base {
     this.#reflect("controls", controls);
   }
 
+  /** Paths of the parameters that the controls show first, as `"loads.gravity tropism.strength"`; null is the usual ones. */
+  get fields(): string | null {
+    return this.getAttribute("fields");
+  }
+
+  set fields(fields: string | null) {
+    this.#reflect("fields", fields);
+  }
+
   /** Address of a picture that is shown until the plant is. */
   get poster(): string | null {
     return this.getAttribute("poster");

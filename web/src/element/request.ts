@@ -11,6 +11,7 @@ export const attributes = [
   "drawing",
   "theme",
   "controls",
+  "fields",
   "poster",
   "alt",
   "loading",

@@ -123,7 +123,7 @@ figcaption { padding: 0.5rem 0.8rem; border-top: 1px solid var(--line); color: v
 .annotation .future { opacity: 0.75; stroke-dasharray: 0.1 5; stroke-linecap: round; stroke-width: 1.5; }
 .annotation .scale-bar { stroke: var(--ink); stroke-width: 1.25; }
 @media print {
-  .enter, .leave, .controls { display: none; }
+  .enter, .leave { display: none; }
   figure { break-inside: avoid; }
 }
 @media (forced-colors: active) {

@@ -1,6 +1,6 @@
 /** The state that an author wants, from what was written; or all that is wrong with it. */
 import type { Engine } from "../engine/engine.ts";
-import { presetNamed, presets } from "../params/declaration.ts";
+import { parameters, presetNamed, presets } from "../params/declaration.ts";
 import { examined } from "../params/examination.ts";
 import type { Issue } from "../params/issue.ts";
 import { read } from "../params/link.ts";
@@ -21,6 +21,11 @@ export interface Wanted {
 
 /** What controls a widget can have. */
 export const controlKinds = ["compact", "full", "none"] as const;
+
+/** The paths in a list with spaces between them; null where there is no list. */
+export function pathsIn(fields: string | null): string[] | null {
+  return fields ? fields.trim().split(/\s+/) : null;
+}
 
 /** The state after a change of some attributes. What the others say counts again only where another preset is chosen. */
 export async function wantedState(
@@ -49,6 +54,10 @@ export async function wantedState(
     theme: choose("theme", themes, state.theme, initialState.theme),
   };
   choose("controls", controlKinds, "compact", "compact");
+  if (changed.has("fields")) {
+    const paths = parameters.map(({ path }) => path);
+    for (const path of pathsIn(request.fields) ?? []) option("fields", path, paths, "", issues);
+  }
   let { params } = state;
   if ((changed.has("params") || changed.has("preset")) && request.params !== null) {
     const merged = over(params, request.params, issues);

@@ -17,7 +17,7 @@ import { HandOver } from "./hand-over.ts";
 import { sheetOfLegends, showLegend } from "./legend.ts";
 import { Picture } from "./picture.ts";
 import type { Attribute, Request } from "./request.ts";
-import { controlKinds, wantedState } from "./wanted.ts";
+import { controlKinds, pathsIn, wantedState } from "./wanted.ts";
 import { join, leave } from "./workshop.ts";
 
 /** What remains of a widget that was taken off the page. */
@@ -37,7 +37,8 @@ export class Widget {
   readonly #handOver: HandOver;
   readonly #playback = new Playback();
   #controls: Controls | null = null;
-  #controlKind: string | null = null;
+  /** What the controls were made for. */
+  #equipment = "";
   #alt: string | null = null;
   #state: State;
   /** The last state that a plant could be grown from. */
@@ -95,7 +96,7 @@ export class Widget {
 
   /** Heeds what the author changed. */
   heed(request: Request, changed: ReadonlySet<Attribute>): void {
-    if (changed.has("controls")) this.#equip(request.controls ?? "compact");
+    if (changed.has("controls") || changed.has("fields")) this.#equip(request);
     if (changed.has("alt")) this.#alt = request.alt;
     const isStart = changed.size > 0 && !this.#plant;
     // After its return to the page a widget is as its reader left it.
@@ -256,11 +257,12 @@ export class Widget {
     this.#controls?.show({ state: this.#state, params, step, last, plays: this.#playback.plays });
   }
 
-  /** Makes the controls of a kind; of a kind that there is not, none: an issue says so. */
-  #equip(asked: string): void {
+  /** Makes the controls that are asked for; of a kind that there is not, the usual ones: an issue says so. */
+  #equip({ controls: asked, fields }: Request): void {
     const kind = controlKinds.find((one) => one === asked) ?? "compact";
-    if (kind === this.#controlKind) return;
-    this.#controlKind = kind;
+    const equipment = `${kind} ${fields}`;
+    if (equipment === this.#equipment) return;
+    this.#equipment = equipment;
     const { controls, figure } = this.#face;
     this.#controls?.remove();
     this.#controls = null;
@@ -268,7 +270,7 @@ export class Widget {
     figure.classList.remove(...controlKinds);
     figure.classList.add(kind);
     if (kind === "none") return;
-    this.#controls = new Controls(controls, kind, {
+    this.#controls = new Controls(controls, kind, pathsIn(fields), {
       enter: (path, value, how) => this.#enter(path, value, how),
       age: (step, how) => this.#age(step, how),
       look: (change) => {

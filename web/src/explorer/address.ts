@@ -20,10 +20,12 @@ export class Address {
   #isForeign = true;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #follows = false;
+  /** Link to the plant that is pinned, or empty: every link carries it along. */
+  #pin = new URLSearchParams(location.search).get("pin") ?? "";
 
   constructor(store: Store) {
     this.#store = store;
-    this.#settled = write(store.state);
+    this.#settled = this.#own;
     this.#at = entryNumber(history.state) ?? 0;
     history.replaceState({ bough: this.#at } satisfies Entry, "");
     store.subscribe((_, change) => this.#write(change));
@@ -32,7 +34,21 @@ export class Address {
 
   /** The complete link to what is shown. */
   get link(): string {
-    return new URL(write(this.#store.state), location.href).href;
+    return new URL(this.#own, location.href).href;
+  }
+
+  get pin(): string {
+    return this.#pin;
+  }
+
+  set pin(link: string) {
+    this.#pin = link;
+    this.#settled = this.#own;
+    this.#replace(this.#settled);
+  }
+
+  get #own(): string {
+    return write(this.#store.state) + (this.#pin && `&pin=${encodeURIComponent(this.#pin)}`);
   }
 
   /** Undoes the last step: the same as the browser's Back. */
@@ -50,12 +66,12 @@ export class Address {
     if (this.#follows) return;
     clearTimeout(this.#timer);
     if (change === "dragging") {
-      this.#timer = setTimeout(() => this.#replace(write(this.#store.state)), pause);
+      this.#timer = setTimeout(() => this.#replace(this.#own), pause);
       return;
     }
     if (this.#isForeign) this.#replace(this.#settled);
     this.#isForeign = false;
-    this.#settled = write(this.#store.state);
+    this.#settled = this.#own;
     this.#at++;
     history.pushState({ bough: this.#at } satisfies Entry, "", this.#settled);
   }
@@ -75,7 +91,7 @@ export class Address {
     const { state } = read(location.search);
     if (!sameState(state, this.#store.state)) this.#store.set(state, "settled");
     this.#at = number;
-    this.#settled = write(this.#store.state);
+    this.#settled = this.#own;
     this.#isForeign = true;
     this.#follows = false;
   }

@@ -8,6 +8,7 @@ import { read } from "../params/link.ts";
 import { colors, presetState, type State, styles, themes, views } from "../params/state.ts";
 import { type Change, Store } from "../params/store.ts";
 import type { Plant } from "../plant/plant.ts";
+import type { Study } from "../study/study.ts";
 import { Address } from "./address.ts";
 import { copyLink } from "./clipboard.ts";
 import { revealPlate, titleOf } from "./gallery.ts";
@@ -40,6 +41,8 @@ export class Explorer {
   #grower: Grower | null = null;
   #picture: Picture | null = null;
   #touch: Touch | null = null;
+  #study: Study | null = null;
+  #openStudy = async () => {};
   #plant: Plant | null = null;
   #grown: Plant | null = null;
   #progress: number | null = null;
@@ -78,6 +81,7 @@ export class Explorer {
     const starting = startEngine();
     this.#openPicture();
     try {
+      this.#openStudy = () => this.#layOut(startEngine);
       await this.#use(await starting);
     } catch (error) {
       this.#fail(error);
@@ -122,6 +126,16 @@ export class Explorer {
     });
     stage.canvas.setAttribute("aria-describedby", "touch-hint");
     this.#render();
+  }
+
+  /** What there is to study about the plant, in a place of its own beside the picture. */
+  async #layOut(startEngine: () => Promise<Engine>): Promise<void> {
+    const host = this.#root.querySelector<HTMLElement>(".study");
+    const { Study } = await import("../study/study.ts");
+    const stage = this.#picture?.stage ?? null;
+    const desk = { stage, store: this.#store, address: this.#address, actions: this.#actions, startEngine };
+    if (host) this.#study = new Study(host, desk);
+    this.#rest();
   }
 
   #openPicture(): void {
@@ -172,6 +186,7 @@ export class Explorer {
   #show(plant: Plant, grown: Plant): void {
     const before = this.#plant;
     const isFirst = before === null;
+    if (isFirst) this.#late.load(() => this.#openStudy());
     this.#notices.dismiss(({ passes }) => passes);
     if (before !== plant) this.#passage.stop();
     this.#plant = plant;
@@ -248,6 +263,8 @@ export class Explorer {
     const works = this.#intake?.busy || this.#grower?.busy || moves;
     const rests = this.#plant !== null && !works && !this.#replay.plays && !this.#drags;
     document.documentElement.dataset.settled = String(rests);
+    const shape = this.#shape;
+    if (shape) this.#study?.show({ shape, rests });
     const pull = this.#touch?.pull;
     const plant = this.#plant;
     this.#narrator.follow(rests && plant ? () => (pull ? pullSentence(pull) : describe(plant)) : null);

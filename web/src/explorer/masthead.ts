@@ -11,6 +11,7 @@ export function masthead({ state, canUndo, canRedo }: Model, actions: Actions): 
       ${button("undo", "Undo", actions.undo, !canUndo)} ${button("redo", "Redo", actions.redo, !canRedo)}
       ${button("keys", "Keys", actions.showKeys)} ${button("link", "Copy link", actions.copyLink)}
       ${button("embed", "Embed", actions.showEmbed)}
+      <a class="tool" href="course/index.html" title="Course" aria-label="Course">${icon("course")}</a>
       ${button(state.theme, `Theme: ${state.theme}`, () => actions.next("theme"))}
     </div>
   </header>`;

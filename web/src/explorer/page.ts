@@ -35,6 +35,7 @@ export function page(model: Model, actions: Actions): TemplateResult {
           ${mainForm(form)}
         </section>
         ${readout(model)}
+        <div class="study"></div>
         <section class="groups" aria-labelledby="more-title">
           <h2 id="more-title">More</h2>
           ${groupForms(form)}

@@ -11,6 +11,8 @@ mod pipes;
 mod plan;
 mod plant;
 mod pull;
+mod sensitivity;
+mod slope;
 mod space;
 mod state;
 mod stem;
@@ -22,6 +24,7 @@ mod wood;
 
 pub use fork::Fork;
 pub use history::{History, grow};
+pub use sensitivity::{Sensitivity, sensitivity};
 pub use state::Growth;
-pub use trajectory::{Trajectory, relaxation};
+pub use trajectory::{Trajectory, iterations, relaxation};
 pub use tropism::turned;

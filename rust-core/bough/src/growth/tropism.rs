@@ -6,7 +6,7 @@ use crate::angle::wrap;
 use crate::trigonometry::sin_cos;
 
 /// From this strength (1/m) on a tropism is full: new wood takes the preferred direction.
-const FULL_STRENGTH: f64 = 1e6;
+pub(super) const FULL_STRENGTH: f64 = 1e6;
 
 /// Below this cosine of half the angle, new wood points exactly away from the preferred direction (to within
 /// 2e-12 rad): a fixed point of equation 66, without a side to turn to. It keeps its direction.
@@ -28,11 +28,17 @@ pub fn turned(angle: f64, lambda: f64) -> f64 {
     if lambda == 0.0 {
         return angle;
     }
-    let (sin, cos) = sin_cos(0.5 * angle);
-    if cos < EXACTLY_AWAY {
+    if is_exactly_away(angle) {
         return angle;
     }
+    let (sin, cos) = sin_cos(0.5 * angle);
     2.0 * libm::atan2(sin * libm::exp(-lambda), cos)
+}
+
+/// Whether new wood at this angle (radians, wrapped) from the preferred direction has no side to turn to.
+pub(super) fn is_exactly_away(angle: f64) -> bool {
+    let (_, cos) = sin_cos(0.5 * angle);
+    cos < EXACTLY_AWAY
 }
 
 /// The elasticity of a joint of this length (m) under a tropism of this strength (1/m): `lambda = k l`.

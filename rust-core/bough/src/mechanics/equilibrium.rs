@@ -15,7 +15,7 @@ use super::loads::Loads;
 use super::report::{Outcome, Status};
 
 /// How far any rod may turn, in radians, in one trusted search: a fraction of the distance between branches.
-pub(super) const TRUSTED_TURN: f64 = 0.5;
+pub(crate) const TRUSTED_TURN: f64 = 0.5;
 /// How far the load is raised at once: a little less than what is trusted.
 const FITTING_TURN: f64 = 0.4;
 /// Newton converges quadratically from a trusted start, so more iterations than this mean that it was not one.

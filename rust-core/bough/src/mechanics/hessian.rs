@@ -274,6 +274,11 @@ impl Elimination {
         largest(turn)
     }
 
+    /// Sine and cosine of a rod's angle, at the last evaluated state.
+    pub(super) fn sine_and_cosine(&self, rod: usize) -> (f64, f64) {
+        (self.sine[rod], self.cosine[rod])
+    }
+
     /// Derivative of the energy along `increment`, at the last evaluated state.
     pub(super) fn slope(&self, increment: &[f64]) -> f64 {
         self.residual.iter().zip(increment).map(|(residual, step)| residual * step).sum()

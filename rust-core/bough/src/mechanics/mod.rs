@@ -14,8 +14,10 @@ mod loads;
 mod relaxation;
 mod report;
 mod sweep;
+mod tangent;
 
 pub use descent::energy;
+pub(crate) use equilibrium::TRUSTED_TURN;
 pub use equilibrium::{LEAN, Settings, Workspace, hang, polish, settle};
 pub(crate) use hessian::pass_down;
 pub use hessian::{Elimination, gradient};
@@ -25,3 +27,4 @@ pub use loads::Loads;
 pub use relaxation::{MAX_EULER_STEPS, Relaxation};
 pub use report::{Outcome, Report, Status};
 pub(crate) use sweep::{carry_on, differences};
+pub use tangent::Tangent;

@@ -143,6 +143,25 @@ impl Relaxation {
         }
     }
 
+    /// One iteration of Newton's method instead of an Euler step; `time` counts it as 1. Returns the largest turn of any rod,
+    /// infinite where the Hessian is not positive definite.
+    #[inline]
+    pub fn newton(&mut self) -> f64 {
+        let (unstable, turn) = self.state.newton(&mut self.linkage);
+        self.time += 1.0;
+        self.taken += 1;
+        self.state.evaluate(&self.linkage, &self.loads);
+        if unstable == 0 { turn } else { f64::INFINITY }
+    }
+
+    /// Takes the shape of another linkage of the same rods, as one more iteration.
+    #[inline]
+    pub fn bend(&mut self, shape: &Linkage) {
+        self.linkage.clone_from(shape);
+        self.time += 1.0;
+        self.state.evaluate(&self.linkage, &self.loads);
+    }
+
     /// One Euler step, equations 15 to 20: all joints at once, from the old angles and velocities. O(n).
     pub fn step(&mut self) {
         let mut inertia = core::mem::take(&mut self.inertia);
