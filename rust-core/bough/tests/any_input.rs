@@ -61,6 +61,10 @@ fn valid_flat() -> impl Strategy<Value = Vec<f64>> {
         params.branching.length_ratio = params.branching.length_ratio.min(1.5);
         params.axis.taper = params.axis.taper.max(0.01);
         params.arrangement.count = params.arrangement.count.min(20);
+        for refusal in bough::params::check(&params) {
+            assert_eq!(refusal.path, "branching.generations");
+            params.branching.generations = refusal.max.unwrap() as u32;
+        }
         params.to_flat()
     })
 }

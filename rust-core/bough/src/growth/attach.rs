@@ -133,7 +133,8 @@ impl Growth {
             return 0.0;
         }
         let tropism = &self.params.tropism;
-        let sought = Degrees(tropism.elevation.0 - self.params.axis.elevation.0).radians();
+        // The nearer way round in degrees, where that is exact: so left and right are mirrored to the bit.
+        let sought = Degrees(tropism.elevation.0 - self.params.axis.elevation.0).wrapped().radians();
         let away = wrap(self.direction(bearer) + turn - sought);
         turned(away, elasticity(tropism.strength, length)) - away
     }

@@ -40,28 +40,32 @@ impl Growth {
     }
 
     /// The plant with the distal end of a segment held at a place (x, y in m, in the plane of the axis), and the grip to
-    /// go on from. Its params name the force that holds it. Out of reach, the point comes as near as it can; `None` when
+    /// go on from. Its params name the force that holds it, which acts even where all loads are taken off. Out of reach, the point comes as near as it can; `None` when
     /// there is no such segment, or no equilibrium was found.
     pub(super) fn hold(&self, segment: u32, place: [f64; 2], grip: Option<Grip>) -> Option<(Plant, Grip)> {
         let rod = self.rod_of(segment)?;
         let elevation = self.params.axis.elevation;
         let settings = Settings { tolerance: self.params.solver.tolerance };
         let grip = grip.filter(|grip| grip.segment == segment && grip.linkage.len() == self.rods());
+        let mut loads = self.state.loads.clone();
+        if self.params.loads.removed {
+            loads = Loads::none(self.rods());
+        }
         let (mut linkage, start) = match grip {
             Some(grip) => (grip.linkage, grip.held.force),
-            None => (self.state.linkage.clone(), [0.0; 2]),
+            None => (self.shown(), [0.0; 2]),
         };
         let local = turned(elevation, place, -1.0);
-        let held = hold(&mut linkage, &self.state.loads, rod, local, start, settings);
+        let held = hold(&mut linkage, &loads, rod, local, start, settings);
         if held.outcome.status != Status::Converged {
             return None;
         }
         let [x, y] = turned(elevation, held.force, 1.0);
-        let mut loads = self.state.loads.clone();
         act(&linkage, &mut loads, rod, held.force);
         let mut elimination = Elimination::default();
         elimination.evaluate(&linkage, &loads);
-        let stable = Some(elimination.eliminate(&linkage, 0.0) == 0);
+        let grown = self.state.report.status == Status::Converged;
+        let stable = grown.then(|| elimination.eliminate(&linkage, 0.0) == 0);
         let iterations = self.state.report.iterations + held.outcome.iterations;
         let report = Report {
             residual: held.outcome.residual,

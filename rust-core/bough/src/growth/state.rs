@@ -291,14 +291,22 @@ impl Growth {
         Relaxation::new(self.state.linkage, self.state.loads, masses)
     }
 
-    /// The plant as it stands. O(n), and with pipes O(n steps) for the stress.
-    pub fn plant(&self) -> Plant {
+    /// The linkage, without its loads where they are taken off.
+    pub(super) fn shown(&self) -> Linkage {
         let mut linkage = self.state.linkage.clone();
-        let mut report = self.state.report;
-        let mut loads = self.state.loads.clone();
         if self.params.loads.removed {
             // Without load every joint goes to its rest angle: that is the equilibrium, exactly.
             linkage.deviation.fill(0.0);
+        }
+        linkage
+    }
+
+    /// The plant as it stands. O(n), and with pipes O(n steps) for the stress.
+    pub fn plant(&self) -> Plant {
+        let mut linkage = self.shown();
+        let mut report = self.state.report;
+        let mut loads = self.state.loads.clone();
+        if self.params.loads.removed {
             loads = Loads::none(linkage.len());
             report.residual = 0.0;
         }

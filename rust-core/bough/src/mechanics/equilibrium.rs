@@ -33,7 +33,7 @@ const ENOUGH_FOR_A_START: f64 = 1e-3;
 const PROVABLE_TURN: f64 = 1e-3;
 /// where the tolerance is far above the rounding of the linear solution,
 const PROVABLE_TOLERANCE: f64 = 1e-12;
-/// and the proven bound far below the tolerance: it is relative to the largest torque before that turn.
+/// and the proven bound far below the tolerance.
 const PROVABLE_SHARE: f64 = 0.5;
 
 /// What counts as equilibrium.
@@ -65,8 +65,8 @@ enum Attempt {
 
 /// Bound of the torque that is left over after a step of Newton's method that turned no rod by more than `turn`: what a
 /// load's torque `t` on a rod has beyond its linear part is `t (cos u - 1) - h (sin u - u)`, with `t` and `h` at
-/// most length times force (Taylor).
-fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> f64 {
+/// most length times force (Taylor). And bound of the torque that such a turn takes away.
+fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> (f64, f64) {
     let rods = linkage.len();
     let (length, x, y) = (&linkage.length[..rods], &loads.x[..rods], &loads.y[..rods]);
     let mut sums = [0.0_f64; 4];
@@ -77,7 +77,8 @@ fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> f64 {
         }
     }
     let rest: f64 = (whole..rods).map(|rod| length[rod] * (x[rod].abs() + y[rod].abs())).sum();
-    (sums.iter().sum::<f64>() + rest) * turn * turn * (0.5 + turn / 6.0)
+    let load = sums.iter().sum::<f64>() + rest;
+    (load * turn * turn * (0.5 + turn / 6.0), load * turn)
 }
 
 /// Whether the torques just evaluated are balanced, and the relative residual.
@@ -87,7 +88,7 @@ fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> f64 {
 pub(super) fn balanced(state: &Elimination, linkage: &Linkage, tolerance: f64, previous: f64) -> (bool, f64) {
     let torque = state.largest_torque();
     let left = state.largest_residual();
-    let relative = if left == 0.0 { 0.0 } else { left / torque };
+    let relative = state.relative_residual();
     let stalled = left >= 0.5 * previous && left <= state.round_off(linkage);
     (left <= tolerance * torque || stalled, relative)
 }
@@ -135,8 +136,9 @@ impl Workspace {
                 return Attempt::Distrusted(turned);
             }
             if turn <= PROVABLE_TURN && tolerance >= PROVABLE_TOLERANCE {
-                let torque = self.state.largest_torque();
-                let bound = remainder(linkage, loads, turn);
+                let (bound, lost) = remainder(linkage, loads, turn);
+                // The torques are those of before the turn, which may have taken most of them away.
+                let torque = (self.state.largest_torque() - lost).max(0.0);
                 if bound <= PROVABLE_SHARE * tolerance * torque {
                     // Without any load both are 0.
                     outcome.residual = if bound == 0.0 { 0.0 } else { bound / torque };
