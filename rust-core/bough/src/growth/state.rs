@@ -61,7 +61,7 @@ pub struct Growth {
     pub(super) before: Loads,
     /// How the deviations are expected to change; a buffer, like the next.
     guess: Vec<f64>,
-    workspace: Workspace,
+    pub(super) workspace: Workspace,
 }
 
 /// What is left to do in a step whose new wood is attached.
@@ -223,6 +223,9 @@ impl Growth {
                 trend.expect(&mut self.guess);
                 let outcome =
                     settle(linkage, &self.before, loads, &self.guess, settings, &mut self.workspace);
+                if outcome.status == Status::Budget {
+                    return;
+                }
                 trend.note(&self.workspace.start, &linkage.deviation);
                 *budget = budget.saturating_sub(self.rods() as u64);
                 outcome

@@ -38,6 +38,9 @@ impl Workspace {
                 outcome.status = Status::Converged;
                 return;
             }
+            if !self.may_iterate(linkage) {
+                break;
+            }
             previous = self.state.largest_residual();
             since = if previous < least { 0 } else { since + 1 };
             least = least.min(previous);

@@ -53,6 +53,8 @@ pub struct Workspace {
     pub(super) saved: Vec<f64>,
     turn: Vec<f64>,
     partial: Loads,
+    /// Iterations times rods that a search may still take before it is given up; no limit if there is none.
+    pub(crate) allowance: Option<u64>,
     /// For a coarser cut of the same chain.
     coarser: Option<Box<(Coarse, Workspace)>>,
 }
@@ -99,6 +101,27 @@ impl Workspace {
         self.state.forget();
     }
 
+    /// Whether the allowance has one more iteration, which is taken off it.
+    pub(super) fn may_iterate(&mut self, linkage: &Linkage) -> bool {
+        let rods = linkage.len() as u64;
+        match &mut self.allowance {
+            None => true,
+            Some(left) if *left >= rods => {
+                *left -= rods;
+                true
+            }
+            Some(left) => {
+                *left = 0;
+                false
+            }
+        }
+    }
+
+    /// Whether the search was given up.
+    fn is_spent(&self) -> bool {
+        self.allowance == Some(0)
+    }
+
     /// Newton's method from the present state. `limit` bounds the sum of the largest turns. A linkage whose state is
     /// distrusted is left where that was seen.
     fn attempt(
@@ -124,6 +147,9 @@ impl Workspace {
                     outcome.unstable_directions = Some(self.state.eliminate(linkage, 0.0));
                 }
                 return Attempt::Converged(turned);
+            }
+            if !self.may_iterate(linkage) {
+                return Attempt::Distrusted(turned);
             }
             previous = self.state.largest_residual();
             let unstable;
@@ -205,7 +231,7 @@ impl Workspace {
         let mut last_part = f64::INFINITY;
         self.increment.clear();
         let mut parts = 0;
-        while share < 1.0 && part > SMALLEST_SHARE && parts < MOST_PARTS {
+        while share < 1.0 && part > SMALLEST_SHARE && parts < MOST_PARTS && !self.is_spent() {
             parts += 1;
             let next = f64::min(1.0, share + part);
             let tolerance = if next < 1.0 { f64::max(tolerance, ON_THE_WAY) } else { tolerance };
@@ -251,7 +277,7 @@ pub(super) fn add(deviation: &mut [f64], increment: &[f64], scale: f64) {
 /// `guess` is by how much the first deviations are expected to change, from whatever is known; a good one saves
 /// iterations, a bad one is dropped.
 ///
-/// On [`Status::NonFinite`] the linkage is left as it was.
+/// On [`Status::NonFinite`] and [`Status::Budget`] the linkage is left as it was.
 pub fn settle(
     linkage: &mut Linkage,
     before: &Loads,
@@ -286,7 +312,10 @@ pub fn settle(
     if !balanced && !workspace.raise(linkage, before, after, expected, settings.tolerance, &mut outcome) {
         workspace.descend(linkage, after, settings.tolerance, &mut outcome);
     }
-    if outcome.status == Status::NonFinite {
+    if workspace.is_spent() {
+        outcome.status = Status::Budget;
+    }
+    if matches!(outcome.status, Status::NonFinite | Status::Budget) {
         linkage.deviation.clone_from(&start);
     }
     workspace.start = start;

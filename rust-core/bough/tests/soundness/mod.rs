@@ -16,6 +16,7 @@ mod sound;
 mod statics;
 
 use arbitrary::{Result, Unstructured};
+use bough::mechanics::Status;
 use bough::params::{
     ArrangementPattern, BranchingPattern, Method, PARAMETERS, Params, Thickening, check, check_flat,
 };
@@ -42,7 +43,7 @@ pub fn bytes(data: &[u8]) {
     if issues.is_empty() {
         let whole = params.to_flat();
         assert_eq!(Params::from_flat(&whole).to_flat(), whole);
-        if is_small(&params) {
+        if is_small(&params, MOST_STEPPED / 10.0) {
             check_plant(&grow(&params).unwrap());
         }
     } else if params.to_flat() == flat {
@@ -89,6 +90,14 @@ fn wander(data: &[u8]) -> Result<()> {
             // Left in the middle of a way.
             let budget = bytes.int_in_range(0..=40)?;
             wandering.seek(step, budget);
+        }
+        if bytes.ratio(1, 4)? {
+            let work = bytes.int_in_range(0..=200)?;
+            let is_there = wandering.reach(step, work);
+            let plant = wandering.plant();
+            assert!(is_there || plant.report.status >= Status::Budget);
+            assert_eq!(plant.report.steps, wandering.step());
+            check_plant(&plant);
         }
         if bytes.ratio(1, 4)? {
             let place = [case::number(&mut bytes, -1e3, 1e3)?, case::number(&mut bytes, -1e3, 1e3)?, 0.0];
@@ -176,7 +185,7 @@ fn planar(mut params: Params) -> Option<Params> {
         assert!(is_expected, "{issue:?}");
         check_refusal(&params, issue);
     }
-    (issues.is_empty() && is_small(&params)).then_some(params)
+    (issues.is_empty() && is_small(&params, MOST_STEPPED)).then_some(params)
 }
 
 /// A refusal names the largest value that fits: with that the plant is not refused for the same reason, with one more it is.
@@ -197,8 +206,8 @@ fn check_refusal(params: &Params, issue: &bough::params::Issue) {
     assert!(with(most + 1.0).iter().any(is_same), "{issue:?} of {params:?}");
 }
 
-/// Whether growing takes but some milliseconds; the sum of the segments over all steps, counted step by step.
-fn is_small(params: &Params) -> bool {
+/// Whether the segments of all growth steps together are few enough, counted step by step.
+fn is_small(params: &Params, most: f64) -> bool {
     let euler = params.solver.method == Method::Euler;
     let (mut axes, mut scale, mut whole, mut stepped) = (1.0, 1.0, 0.0, 0.0);
     let forks = match params.branching.pattern {
@@ -216,5 +225,5 @@ fn is_small(params: &Params) -> bool {
         ArrangementPattern::Single => 1.0,
         ArrangementPattern::Stem => f64::from(params.arrangement.count),
     };
-    !euler && copies * stepped <= MOST_STEPPED && whole <= 300.0
+    !euler && copies * stepped <= most && whole <= 300.0
 }

@@ -94,7 +94,9 @@ fn check_numbers(plant: &Plant) {
 fn check_report(plant: &Plant) {
     let report = &plant.report;
     assert!(!report.residual.is_nan() && report.residual >= 0.0, "{report:?}");
-    assert_eq!(report.stable.is_some(), report.status == Status::Converged, "{report:?}");
+    if report.status != Status::Budget {
+        assert_eq!(report.stable.is_some(), report.status == Status::Converged, "{report:?}");
+    }
     assert!(report.unstable_since.is_none_or(|step| (1..=report.steps).contains(&step)), "{report:?}");
     assert!(
         plant.segments.birth.iter().all(|birth| (1..=report.steps.max(1)).contains(birth)) || is_stem(plant)
@@ -113,7 +115,7 @@ fn check_equilibrium(plant: &Plant, statics: Statics) {
         return;
     }
     statics.check_springs();
-    if report.status != Status::Converged {
+    if report.stable.is_none() {
         return;
     }
     let (left, torque, rounding) = (statics.residual(), statics.largest_torque(), statics.rounding());
@@ -123,10 +125,11 @@ fn check_equilibrium(plant: &Plant, statics: Statics) {
     if statics.rods() > MOST_DENSE {
         return;
     }
-    let pivot = statics.smallest_pivot();
-    match report.stable {
-        Some(true) => assert!(pivot > -CLEARLY, "not stable, pivot {pivot}: {plant:?}"),
-        _ => assert!(pivot < CLEARLY, "stable after all, pivot {pivot}: {plant:?}"),
+    if let Some(pivot) = statics.smallest_pivot() {
+        match report.stable {
+            Some(true) => assert!(pivot > -CLEARLY, "not stable, pivot {pivot}: {plant:?}"),
+            _ => assert!(pivot < CLEARLY, "stable after all, pivot {pivot}: {plant:?}"),
+        }
     }
     if report.stable == Some(true) {
         // One rod after another alone, all beyond a joint together, and all alternating.

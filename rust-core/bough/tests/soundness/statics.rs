@@ -102,8 +102,9 @@ impl Statics {
     }
 
     /// The smallest pivot of the energy's Hessian, scaled so that its diagonal's own terms add up to 1, by a dense Cholesky
-    /// factorisation that ends at the first pivot which is not clearly positive.
-    pub fn smallest_pivot(&self) -> f64 {
+    /// factorisation that ends at the first pivot which is not clearly positive. None where rounding decides: of a twig
+    /// that is so thin that one rounding of its direction weighs more than its stiffness.
+    pub fn smallest_pivot(&self) -> Option<f64> {
         let count = self.rods.len();
         let mut hessian = vec![vec![0.0; count]; count];
         let mut size = vec![0.0; count];
@@ -116,6 +117,12 @@ impl Statics {
                 size[bearer] += rod.stiffness;
                 hessian[index][bearer] -= rod.stiffness;
                 hessian[bearer][index] -= rod.stiffness;
+            }
+        }
+        for (index, rod) in self.rods.iter().enumerate() {
+            let [forces, arms] = [self.beyond[index], rod.arm].map(|[x, y]| x.abs() + y.abs());
+            if 16.0 * f64::EPSILON * forces * arms * rod.angles.max(1.0) > CLEARLY * size[index] {
+                return None;
             }
         }
         for row in 0..count {
@@ -136,7 +143,7 @@ impl Statics {
                 row.iter_mut().zip(&eliminated).for_each(|(entry, above)| *entry -= factor * above);
             }
         }
-        smallest
+        Some(smallest)
     }
 
     /// By how much the energy rises when every rod turns by `turn` of it, radians; and by how much less than nothing that may
