@@ -30,6 +30,8 @@ pub struct Statics {
     torque: Vec<f64>,
     /// Sum of all forces beyond each base joint.
     beyond: Vec<[f64; 2]>,
+    /// Size of all forces that others may cancel, N.
+    pull: f64,
     /// Torque that rounding of places and sums can make at any joint, N m.
     rounding: f64,
 }
@@ -69,7 +71,7 @@ impl Statics {
         }
         let angles = rods.iter().map(|rod| rod.angles).fold(1.0, f64::max);
         let rounding = 8.0 * f64::EPSILON * rods_count as f64 * angles * reach * pull;
-        Statics { rods, torque, beyond, rounding }
+        Statics { rods, torque, beyond, pull, rounding }
     }
 
     /// Largest external torque, N m.
@@ -120,8 +122,8 @@ impl Statics {
             }
         }
         for (index, rod) in self.rods.iter().enumerate() {
-            let [forces, arms] = [self.beyond[index], rod.arm].map(|[x, y]| x.abs() + y.abs());
-            if 16.0 * f64::EPSILON * forces * arms * rod.angles.max(1.0) > CLEARLY * size[index] {
+            let arm = rod.arm[0].abs() + rod.arm[1].abs();
+            if 16.0 * f64::EPSILON * self.pull * arm * rod.angles.max(1.0) > CLEARLY * size[index] {
                 return None;
             }
         }
