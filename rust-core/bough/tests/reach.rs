@@ -41,12 +41,13 @@ fn what_was_stopped_is_the_last_finished_step_and_says_so() {
     }
 }
 
-/// A thread of a kilometre: a step takes some eighty iterations.
+/// A thread of a kilometre that seeks upwards: a step takes some eighty iterations.
 #[test]
 fn a_step_is_given_up_in_its_midst() {
     let mut params = Params::default();
     params.axis.segments = 5;
     params.axis.segment_length = 231.0;
+    params.tropism.strength = 1e9;
     params.solver.tolerance = 1e-15;
     let whole = grow(&params).unwrap();
     assert!(whole.report.iterations > 5 * 20, "{} iterations are not many", whole.report.iterations);
@@ -58,4 +59,17 @@ fn a_step_is_given_up_in_its_midst() {
         assert!(history.seek(step, u64::MAX));
     }
     assert_eq!(history.plant(), whole);
+}
+
+/// It stood at no step at all, with the wood of the step that was given up.
+#[test]
+fn static_growth_that_is_given_up_stands_where_it_stood() {
+    let mut params = Params::default();
+    params.solver.stepping = Stepping::Static;
+    let mut history = History::new(&params).unwrap();
+    let before = history.at(5);
+    assert!(!history.reach(30, 1));
+    let stopped = history.plant();
+    assert_eq!((stopped.report.steps, stopped.report.status), (5, Status::Budget));
+    assert_eq!(stopped.polylines, before.polylines);
 }

@@ -225,7 +225,8 @@ impl History {
             if !goes_on {
                 break;
             }
-            if self.growth.steps_taken() == taken {
+            // Static stepping begins anew, at no steps taken.
+            if self.growth.steps_taken() <= taken {
                 self.growth.return_to(&state, laid);
                 self.growth.workspace = workspace;
                 self.is_stopped = true;
