@@ -12,6 +12,8 @@ function anyValue({ kind, options = [], min, max }: Parameter): fc.Arbitrary<Val
   switch (kind) {
     case "number":
       return number;
+    case "optional":
+      return fc.option(number);
     case "integer":
       return fc.integer({ min, max });
     case "choice":
@@ -35,7 +37,7 @@ export function anyParams(start: Params): fc.Arbitrary<Params> {
   return fc.tuple(anyChanges, fc.subarray(paths)).map(([changes, changed]) =>
     assemble(({ path }) => {
       const value = changed.includes(path) ? changes[path] : undefined;
-      return value ?? valueAt(start, path);
+      return value === undefined ? valueAt(start, path) : value;
     }),
   );
 }

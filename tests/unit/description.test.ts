@@ -19,6 +19,7 @@ const sound: Report = {
   steps: 2,
   gravityNumber: 5,
   steppingError: null,
+  selfBuckling: null,
 };
 
 describe("the description", () => {

@@ -211,12 +211,21 @@ impl Plant {
         forces.flat_map(flat).collect()
     }
 
-    /// `report.residual`, `.worstStepResidual`, `.iterations`, `.steps`, `.gravityNumber`, and `.steppingError` if there
-    /// is one.
+    /// `report.residual`, `.worstStepResidual`, `.iterations`, `.steps`, `.gravityNumber`, `.steppingError` and `.selfBuckling`,
+    /// NaN where there is none.
     pub fn figures(&self) -> Vec<f64> {
         let Report { residual, worst_step_residual, iterations, steps, gravity_number, .. } = *self.report();
-        let figures = [residual, worst_step_residual, iterations as f64, f64::from(steps), gravity_number];
-        figures.into_iter().chain(self.report().stepping_error).collect()
+        let [error, buckling] = [self.report().stepping_error, self.report().self_buckling]
+            .map(|figure| figure.unwrap_or(f64::NAN));
+        vec![
+            residual,
+            worst_step_residual,
+            iterations as f64,
+            f64::from(steps),
+            gravity_number,
+            error,
+            buckling,
+        ]
     }
 }
 

@@ -10,7 +10,10 @@ use std::time::Instant;
 use bough::grow;
 use bough::mechanics::{Elimination, GROUND, Linkage, Loads};
 use bough::params::{BoughError, Params, Stepping, Thickening};
-use bough::trigonometry::small_sin_cos;
+
+#[path = "shared/floor.rs"]
+mod floor;
+use floor::floor;
 
 /// Median and range of the seconds that `work` takes.
 fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 3] {
@@ -23,16 +26,6 @@ fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 3] {
         .collect();
     seconds.sort_by(f64::total_cmp);
     [seconds[0], seconds[runs / 2], seconds[runs - 1]]
-}
-
-/// One sine, one cosine and ten flops for each number.
-fn floor(angles: &[f64], sums: &mut [f64]) {
-    for (angle, sum) in angles.iter().zip(sums) {
-        let (sine, cosine) = small_sin_cos(*angle);
-        let torque = 0.7 * cosine - 0.3 * sine;
-        let stiffness = 0.3 * cosine + 0.7 * sine;
-        *sum = 0.5 * *sum + torque * stiffness + 1.5;
-    }
 }
 
 /// A rod of length 1 with EI = 1 and q = 10, in its second-order cut.

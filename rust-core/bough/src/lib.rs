@@ -23,12 +23,15 @@
 #![forbid(unsafe_code)]
 
 extern crate alloc;
+#[cfg(test)]
+extern crate std;
 
 pub mod angle;
 pub mod growth;
 pub mod mechanics;
 pub mod params;
 pub mod plant;
+pub mod space;
 pub mod trigonometry;
 
 pub use growth::{Growth, History, grow, relaxation};

@@ -10,7 +10,7 @@
 mod support;
 
 use bough::mechanics::Status;
-use bough::params::{Kind, PARAMETERS, Params, check_flat, flat_length};
+use bough::params::{ArrangementPattern, Kind, PARAMETERS, Params, check_flat, flat_length};
 use bough::{History, grow};
 use proptest::prelude::*;
 
@@ -53,14 +53,19 @@ fn valid_flat() -> impl Strategy<Value = Vec<f64>> {
         let mut flat = values.concat();
         // Two million Euler steps a case are for the soak.
         flat[method] = 0.0;
-        // What the planar model, or the machine's memory, does not have: see the tests of the messages.
+        // What the machine's memory does not have: see the tests of the messages.
         let mut params = Params::from_flat(&flat);
-        params.loads.tip_force[2] = 0.0;
-        params.branching.roll.0 = if params.branching.roll.0 > 0.0 { 180.0 } else { 0.0 };
         params.branching.generations %= 5;
         params.branching.length_ratio = params.branching.length_ratio.min(1.5);
         params.axis.taper = params.axis.taper.max(0.01);
         params.arrangement.count = params.arrangement.count.min(20);
+        // In space a case takes ten times as long: fewer segments show as much.
+        params.axis.segments = params.axis.segments.min(12);
+        params.branching.generations %= 4;
+        if params.arrangement.pattern == ArrangementPattern::FlexibleStem {
+            params.arrangement.count = params.arrangement.count.min(4);
+            params.arrangement.interval %= 5;
+        }
         for refusal in bough::params::check(&params) {
             assert_eq!(refusal.path, "branching.generations");
             params.branching.generations = refusal.max.unwrap() as u32;
@@ -70,7 +75,7 @@ fn valid_flat() -> impl Strategy<Value = Vec<f64>> {
 }
 
 proptest! {
-    #![proptest_config(support::cases(400))]
+    #![proptest_config(support::cases(100))]
 
     #[test]
     fn bad_numbers_are_all_listed(flat in prop::collection::vec(number(), 0..40)) {
@@ -82,7 +87,8 @@ proptest! {
         let mut offset = 0;
         for parameter in PARAMETERS {
             for value in flat.iter().skip(offset).take(parameter.kind.width()) {
-                let outside = !(parameter.min..=parameter.max).contains(value);
+                let left_open = parameter.kind == Kind::Optional && value.is_nan();
+                let outside = !left_open && !(parameter.min..=parameter.max).contains(value);
                 if outside {
                     let named = issues.iter().any(|issue| {
                         issue.path == parameter.path && issue.value.to_bits() == value.to_bits()
@@ -145,23 +151,13 @@ fn messages_are_worded_for_a_person() {
 }
 
 #[test]
-fn a_force_across_the_plane_is_refused() {
-    let mut params = Params::default();
-    params.loads.tip_force = [0.0, 1.0, 2.0];
-    let error = grow(&params).unwrap_err();
-    assert_eq!((error.issues.len(), error.issues[0].code), (1, "unsupported"));
-    assert!(error.to_string().contains("its z must be 0; it is 2"));
-}
-
-#[test]
-fn forks_beyond_the_plane_or_from_a_point_are_refused() {
+fn forks_from_a_point_are_refused() {
     let mut params = Params::default();
     params.branching.pattern = bough::params::BranchingPattern::Bifurcation;
-    params.branching.roll.0 = 30.0;
     params.axis.taper = 0.0;
     let error = grow(&params).unwrap_err();
     let paths: Vec<_> = error.issues.iter().map(|issue| (issue.code, issue.path)).collect();
-    assert_eq!(paths, [("unsupported", "branching.roll"), ("unsupported", "axis.taper")]);
+    assert_eq!(paths, [("unsupported", "axis.taper")]);
 }
 
 #[test]

@@ -12,7 +12,7 @@ mod support;
 use bough::angle::Degrees;
 use bough::grow;
 use bough::params::{Params, Stepping};
-use support::{extrapolated, fitted_order, heavy_rod, piped_rod};
+use support::{distance, extrapolated, fitted_order, heavy_rod, piped_rod};
 
 const CUTS: [u32; 5] = [20, 40, 80, 160, 320];
 const FULL: f64 = 1e6;
@@ -84,25 +84,23 @@ fn large_growth_tends_to_the_continuum() {
     }
 }
 
-/// Load at which the smallest pivot changes sign, by bisection on the stability of the grown column.
+/// Load at which the grown column stops standing straight, as its report has it; a thousandth beside it does or does not.
 fn critical(segments: u32, mut column: impl FnMut(f64) -> Params) -> f64 {
-    let (mut stable, mut unstable) = (1.0, 100.0);
-    while unstable / stable > 1.0 + 1e-9 {
-        let middle = 0.5 * (stable + unstable);
-        let mut params = column(middle);
+    let mut grown = |load: f64| {
+        let mut params = column(load);
         params.axis.elevation = Degrees(90.0);
         params.axis.segments = segments;
-        let report = grow(&params).unwrap().report;
-        assert_eq!(report.residual, 0.0, "a straight column is in equilibrium");
-        if report.stable == Some(true) {
-            assert_eq!(report.unstable_since, None);
-            stable = middle;
-        } else {
-            assert!(report.unstable_since.is_some());
-            unstable = middle;
-        }
-    }
-    stable
+        grow(&params).unwrap()
+    };
+    let load = 10.0 / grown(10.0).report.self_buckling.unwrap();
+    let (below, above) = (grown(0.999 * load), grown(1.001 * load));
+    assert!((below.report.self_buckling.unwrap() - 0.999).abs() < 1e-6);
+    assert!((above.report.self_buckling.unwrap() - 1.001).abs() < 1e-6);
+    assert_eq!((below.tip(0)[0], below.report.residual), (0.0, 0.0), "a straight column is in equilibrium");
+    // Always to the same side.
+    assert!(above.tip(0)[0] > 0.0);
+    assert_eq!((below.report.stable, above.report.stable), (Some(true), Some(true)));
+    load
 }
 
 #[test]
@@ -127,4 +125,31 @@ fn columns_buckle_at_the_published_loads() {
         println!("{name:7} lambda {limit:.6}, published {exact:.6}; K L^2 {:.6}", 0.5 * limit);
         assert!((limit / exact - 1.0).abs() < 1e-3, "{name}: {limit} from {loads:?}");
     }
+}
+
+/// Past its critical height a stem leans to the side of its azimuth, in the plane and in space alike, and its report says by
+/// how much it is past.
+#[test]
+fn a_stem_past_its_critical_height_leans_and_says_so() {
+    let critical = 7.83734743894;
+    for load in [6.0, 9.0, 12.0] {
+        let mut params = heavy_rod(90.0, load, 160);
+        params.solver.tolerance = 1e-13;
+        let plane = grow(&params).unwrap();
+        let past = plane.report.self_buckling.unwrap();
+        println!("q = {load}: {past:.5} of the critical load, tip {:.4} aside", plane.tip(0)[0]);
+        // 1 / n^2 of the cut.
+        assert!((past * critical / load - 1.0).abs() < 1e-4);
+        assert_eq!(plane.tip(0)[0] > 0.1, load > critical);
+        params.solver.space = true;
+        params.axis.azimuth = Degrees(40.0);
+        let space = grow(&params).unwrap();
+        let (sin, cos) = 40_f64.to_radians().sin_cos();
+        let [x, y, z] = plane.tip(0);
+        assert!(distance(space.tip(0), [x * cos + z * sin, y, z * cos - x * sin]) < 1e-9);
+        assert_eq!((space.report.stable, plane.report.stable), (Some(true), Some(true)));
+        assert!((space.report.self_buckling.unwrap() - past).abs() < 1e-8);
+    }
+    // What leans anyway has no critical height.
+    assert_eq!(grow(&heavy_rod(89.0, 9.0, 20)).unwrap().report.self_buckling, None);
 }

@@ -62,6 +62,7 @@ fn parameter_json(parameter: &Parameter, offset: usize) -> Result<Value> {
 fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::Number => "number",
+        Kind::Optional => "optional",
         Kind::Integer => "integer",
         Kind::Choice(_) => "choice",
         Kind::Flag => "flag",

@@ -63,6 +63,7 @@ fn takes(parameter: &Parameter) -> String {
     let range = format!("{} to {}", shown(parameter.min), shown(parameter.max));
     match parameter.kind {
         Kind::Number => range,
+        Kind::Optional => format!("{range}, or null"),
         Kind::Integer => format!("whole, {range}"),
         Kind::Vector => format!("x, y, z, each {range}"),
         Kind::Flag => "true, false".into(),

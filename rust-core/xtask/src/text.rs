@@ -14,6 +14,13 @@ pub(crate) fn number(value: f64) -> Value {
 pub(crate) fn value(parameter: &Parameter, flat: &[f64]) -> Result<Value> {
     let json = match (parameter.kind, flat) {
         (Kind::Number | Kind::Integer, [one]) => number(*one),
+        (Kind::Optional, [one]) => {
+            if one.is_nan() {
+                Value::Null
+            } else {
+                number(*one)
+            }
+        }
         (Kind::Flag, [flag]) => Value::from(*flag != 0.0),
         (Kind::Vector, [_, _, _]) => flat.iter().copied().map(number).collect(),
         (Kind::Forces, []) => Value::Array(Vec::new()),
@@ -36,6 +43,7 @@ pub(crate) fn shown(value: f64) -> String {
 pub(crate) fn shown_default(parameter: &Parameter) -> Result<String> {
     match (parameter.kind, parameter.default) {
         (Kind::Number | Kind::Integer, [one]) => Ok(shown(*one)),
+        (Kind::Optional, [one]) if one.is_nan() => Ok("none".into()),
         _ => Ok(value(parameter, parameter.default)?.to_string()),
     }
 }

@@ -52,7 +52,7 @@ fn comment(parameter: &Parameter) -> Result<String> {
             writeln!(comment, "     * - {what}: {value}")?;
         }
     }
-    if matches!(parameter.kind, Kind::Number | Kind::Integer | Kind::Vector | Kind::Forces) {
+    if matches!(parameter.kind, Kind::Number | Kind::Optional | Kind::Integer | Kind::Vector | Kind::Forces) {
         writeln!(comment, "     * - Range: {} to {}", shown(parameter.min), shown(parameter.max))?;
     }
     writeln!(comment, "     * - Default: {}", shown_default(parameter)?)?;
@@ -63,6 +63,7 @@ fn comment(parameter: &Parameter) -> Result<String> {
 fn type_of(kind: Kind) -> String {
     match kind {
         Kind::Number | Kind::Integer => "number".into(),
+        Kind::Optional => "number | null".into(),
         Kind::Flag => "boolean".into(),
         Kind::Vector => "[x: number, y: number, z: number]".into(),
         Kind::Forces => "PointForce[]".into(),

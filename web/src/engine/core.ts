@@ -182,7 +182,9 @@ function copied(plant: glue.Plant): Shape {
 function reported(plant: glue.Plant): Report {
   const figures = plant.figures();
   const [residual = 0, worstStepResidual = 0, iterations = 0, steps = 0, gravityNumber = 0] = figures;
-  const steppingError = figures[5] ?? null;
+  const [steppingError, selfBuckling] = Array.from(figures.subarray(5), (figure) =>
+    Number.isNaN(figure) ? null : figure,
+  );
   return {
     status: plant.status as Status,
     stable: plant.stable ?? null,
@@ -192,6 +194,7 @@ function reported(plant: glue.Plant): Report {
     iterations,
     steps,
     gravityNumber,
-    steppingError,
+    steppingError: steppingError ?? null,
+    selfBuckling: selfBuckling ?? null,
   };
 }

@@ -72,7 +72,7 @@ export class BoughField extends LitElement {
     const { label, symbol, help, source } = parameter;
     const id = this.#id;
     const name = html`<span class="label">${label}</span>${symbol ? html` <i class="symbol">${symbolText(symbol)}</i>` : nothing}`;
-    const isGroup = parameter.kind === "vector" || parameter.kind === "choice";
+    const isGroup = ["vector", "choice", "optional"].includes(parameter.kind);
     return html`<div
       class="field ${parameter.kind}"
       role=${isGroup ? "group" : nothing}
@@ -136,11 +136,24 @@ export class BoughField extends LitElement {
   }
 
   #control(value: Value): TemplateResult {
+    if (this.parameter.kind === "optional") return this.#optional(value);
     if (typeof value === "number") return html`${this.#slider(value)}${this.#box(0, value, "")}`;
     if (typeof value === "boolean") return this.#checkbox(value);
     if (typeof value === "string") return this.#choices(value);
+    if (value === null) return html``;
     const axes = ["x", "y", "z"];
     return html`${value.map((number, k) => html`<label class="part">${axes[k]} ${this.#box(k, number, `${this.parameter.label}, ${axes[k]}`)}</label>`)}`;
+  }
+
+  /** A number that may be left open: a box to tick, and once it is ticked the number. */
+  #optional(value: Value): TemplateResult {
+    const { label } = this.parameter;
+    return html`<input
+        type="checkbox"
+        aria-label="${label}, given"
+        .checked=${live(value !== null)}
+        @change=${(event: Event) => this.#enter((event.target as HTMLInputElement).checked ? 0 : null, "settled")}
+      />${typeof value === "number" ? html`${this.#slider(value)}${this.#box(0, value, label)}` : nothing}`;
   }
 
   #slider(value: number): TemplateResult {

@@ -3,13 +3,13 @@ import { declaration } from "../../generated/declaration.ts";
 import type { ParamsInput, PointForce } from "../../generated/params.ts";
 
 /** What kind of value a parameter takes. */
-export type Kind = "number" | "integer" | "choice" | "flag" | "vector" | "forces";
+export type Kind = "number" | "optional" | "integer" | "choice" | "flag" | "vector" | "forces";
 
 /** Three numbers x, y, z. */
 export type Vector = [x: number, y: number, z: number];
 
-/** A parameter's value: a number, the name of an option, true or false, or three numbers. */
-export type Value = number | string | boolean | Vector;
+/** A parameter's value: a number (or none, if it may be left open), the name of an option, true or false, or three numbers. */
+export type Value = number | string | boolean | Vector | null;
 
 /** A value of any parameter, the lists that have no place in links and forms included. */
 export type AnyValue = Value | readonly PointForce[];

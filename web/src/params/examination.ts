@@ -23,7 +23,10 @@ export function examined(input: unknown): Examination {
   const flat = flatten(params);
   for (const { path } of issues) {
     const parameter = parameterAt(path);
-    if (parameter) flat.fill(Number.NaN, parameter.offset, parameter.offset + parameter.width);
+    if (!parameter) continue;
+    // Where a number may be left open, NaN would say that it is.
+    const nothing = parameter.kind === "optional" ? Number.POSITIVE_INFINITY : Number.NaN;
+    flat.fill(nothing, parameter.offset, parameter.offset + parameter.width);
   }
   return { params, flat, issues };
 }

@@ -62,9 +62,10 @@ export function withValue(params: Params, path: string, value: Value): Params {
  * How many growth steps the finished plant takes, known before it is grown. The core's own count, which the contract
  * test compares it with, is only there once the wasm is.
  */
-export function stepsOf({ axis, branching }: Params): number {
+export function stepsOf({ axis, branching, arrangement }: Params): number {
   const forks = branching.pattern === "none" ? 0 : branching.generations;
-  let steps = 0;
+  const { pattern, count, interval } = arrangement;
+  let steps = pattern === "flexibleStem" ? (count - 1) * interval : 0;
   let scale = 1;
   for (let generation = 0; generation <= forks; generation++) {
     steps += Math.max(Math.round(axis.segments * scale), 1);
@@ -112,6 +113,7 @@ export function flatten(params: Params): Float64Array<ArrayBuffer> {
 
 function numbersOf({ path, options }: Parameter, value: Value): number[] {
   if (Array.isArray(value)) return value;
+  if (value === null) return [Number.NaN];
   if (typeof value !== "string") return [Number(value)];
   const index = options?.indexOf(value) ?? -1;
   if (index < 0) throw new TypeError(`${path} has no option ${value}.`);

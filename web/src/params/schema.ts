@@ -35,6 +35,8 @@ function typeOf({ kind, options, min: minimum, max: maximum }: Declared): Schema
     case "number":
     case "integer":
       return { type: kind, minimum, maximum };
+    case "optional":
+      return { type: ["number", "null"], minimum, maximum };
     case "choice":
       return { enum: options };
     case "flag":

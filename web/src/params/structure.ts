@@ -106,6 +106,13 @@ function parsed({ kind, options = [] }: Declared, given: unknown): AnyValue | un
     case "number":
     case "integer":
       return typeof given === "number" ? unsigned(given) : undefined;
+    case "optional":
+      // NaN is no number here: in the flat form it stands for none.
+      return given === null
+        ? null
+        : typeof given === "number" && !Number.isNaN(given)
+          ? unsigned(given)
+          : undefined;
     case "flag":
       return typeof given === "boolean" ? given : undefined;
     case "choice":

@@ -7,12 +7,17 @@ export interface Parsed<T> {
   code?: "unreadable" | "outOfRange" | "notInteger";
 }
 
+/** The text of a number that is left open. */
+const NONE = "none";
+
 /** Reads the value of a parameter. */
 export function parsed({ kind, options = [], min, max }: Parameter, text: string): Parsed<Value> {
   switch (kind) {
     case "number":
     case "integer":
       return numberIn(text, min, max, kind === "integer");
+    case "optional":
+      return text === NONE ? { value: null } : numberIn(text, min, max, false);
     case "choice":
       return options.includes(text) ? { value: text } : { code: "unreadable" };
     case "flag":
@@ -48,6 +53,7 @@ export function numberIn(text: string, min: number, max: number, whole: boolean)
 /** A value as text without loss: numbers at their shortest, choices by name. */
 export function written(value: Value): string {
   if (Array.isArray(value)) return value.map(written).join(",");
+  if (value === null) return NONE;
   if (typeof value === "boolean") return value ? "1" : "0";
   return String(value).replace("e+", "e");
 }

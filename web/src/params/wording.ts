@@ -14,6 +14,8 @@ export function wanted({ kind, min, max, unit, options = [] }: Omit<Parameter, "
   switch (kind) {
     case "number":
       return `a number ${range}`;
+    case "optional":
+      return `a number ${range}, or null`;
     case "integer":
       return `a whole number ${range}`;
     case "vector":

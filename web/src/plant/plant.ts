@@ -20,6 +20,11 @@ export interface Report {
   iterations: number;
   /** Growth steps taken. */
   steps: number;
+  /**
+   * Of an upright plant, the present loads over those at which it can no longer stand straight: above 1 it is past its critical
+   * height and leans; null of any other plant.
+   */
+  selfBuckling: number | null;
   /** Weight times length squared over EI at the base; q for a uniform axis. */
   gravityNumber: number;
   /** With extrapolated stepping, the largest distance from the shape of exact stepping that is to be expected, over the length of the axis; null otherwise. */
@@ -56,11 +61,11 @@ export interface Segments {
   mass: Float64Array;
   /** Orientation as a quaternion x, y, z, w that turns +x to the segment's direction; shape 4n. */
   rotation: Float64Array;
-  /** Bending moment at the base joint, N m, counter-clockwise. */
+  /** Bending moment at the base joint, N m: counter-clockwise in a vertical plane, its size in space. */
   moment: Float64Array;
-  /** Twisting moment at the base joint, N m. */
+  /** Twisting moment at the base joint, N m, right-handed about the wood; 0 in a plane. */
   twistMoment: Float64Array;
-  /** Joint angle over joint length, 1/m. */
+  /** Joint angle over joint length, 1/m: counter-clockwise in a vertical plane, the size of the bend in space. */
   curvature: Float64Array;
   /** Rest angle over joint length, 1/m. */
   restCurvature: Float64Array;

@@ -1,22 +1,29 @@
 //! How new segments are attached: at the tip of a growing axis, or as the first ones of two children at a fork.
 
-use super::axis::Axis;
+use glam::{DQuat, DVec3};
+
+use super::axis::{Axis, STEM};
 use super::pipes::FirstPipe;
 use super::state::Growth;
 use super::tropism::{elasticity, turned};
 use super::wood::Wood;
 use crate::angle::{Degrees, wrap};
 use crate::mechanics::GROUND;
-use crate::params::{Discretization, Params};
+use crate::params::{Discretization, Params, sought_in_plane};
 use crate::plant::Section;
+use crate::space::{exp, normalized, roll};
 
 impl Growth {
     /// Every growing axis gains a segment; every axis that was full grown before this step forks.
     pub(super) fn extend(&mut self) {
+        self.extend_stem();
         let grown = self.state.axes.len();
         // All forks come before all children: the rods are numbered level by level.
         for axis in 0..grown {
             let Axis { generation, segments, forked, .. } = self.state.axes[axis];
+            if generation == STEM {
+                continue;
+            }
             let generation = generation as usize;
             if (segments as usize) < self.plan.generations[generation].length.len() {
                 self.extend_axis(axis);
@@ -39,13 +46,15 @@ impl Growth {
     }
 
     /// Attaches the next segment of an axis at rest, in the direction of its bearer turned by the tropism.
-    fn extend_axis(&mut self, axis: usize) {
+    pub(super) fn extend_axis(&mut self, axis: usize) {
         let Axis { generation, segments, base_radius, bearer, branching_turn, .. } = self.state.axes[axis];
-        let plan = &self.plan.generations[generation as usize];
+        let plan = self.plan.of(generation);
         let length = plan.length[segments as usize];
         let birth_radius = base_radius * plan.radius[segments as usize];
         let rigidity = self.rigidity(birth_radius);
-        let below = (segments > 0).then(|| plan.length[segments as usize - 1]);
+        // On a node a segment stands with its own half only.
+        let on_node = bearer != GROUND && self.state.linkage.length[bearer as usize] == 0.0;
+        let below = (segments > 0 && !on_node).then(|| plan.length[segments as usize - 1]);
         let (joint_length, pipe_stiffness) = match below {
             _ if !self.second_order() => (length, rigidity / length),
             None => (0.5 * length, 2.0 * rigidity / length),
@@ -57,7 +66,14 @@ impl Growth {
         // The paper's first segment keeps the elevation.
         let turns = self.second_order() || bearer != GROUND;
         let turn = if segments == 0 { branching_turn } else { 0.0 };
-        let rest = turn + if turns { self.tropic_turn(bearer, turn, joint_length) } else { 0.0 };
+        let rest = match self.is_spatial {
+            true => {
+                Rest::Space(self.rest_in_space(axis, segments == 0, if turns { joint_length } else { 0.0 }))
+            }
+            false => {
+                Rest::Plane(turn + if turns { self.bend_and_turn(bearer, turn, joint_length) } else { 0.0 })
+            }
+        };
         let wood = Wood {
             birth_radius,
             axis: axis as u32,
@@ -78,24 +94,13 @@ impl Growth {
     fn fork(&mut self, axis: usize) {
         let parent = self.state.axes[axis];
         self.state.axes[axis].forked = true;
-        let mut bearer = parent.bearer;
-        let tip = self.state.wood[bearer as usize];
-        let length = self.state.linkage.length[bearer as usize];
-        if self.second_order() {
-            let joint_length = 0.5 * length;
-            let pipe_stiffness = 2.0 * self.rigidity(tip.birth_radius) / length;
-            let rest = self.tropic_turn(bearer, 0.0, joint_length);
-            let birth = self.state.step;
-            let node = Wood { birth, joint_length, branching_turn: 0.0, ..tip };
-            let since = self.state.pipes.since[bearer as usize];
-            let pipe = FirstPipe { since, stiffness: pipe_stiffness, mass: 0.0 };
-            bearer = self.push(bearer, 0.0, rest, node, pipe);
-        }
+        let bearer = self.end_in_node(axis);
         let fork = self.plan.fork;
         let plan = &self.plan.generations[parent.generation as usize];
         let tip_radius = parent.base_radius * plan.radius_at.last().copied().unwrap_or(1.0);
         let side = rolled_side(&self.params);
         let children = [(fork.thicker, side * fork.thicker_turn), (fork.thinner, -side * fork.thinner_turn)];
+        let [plane, back] = rolled_plane(&self.params);
         for (width, branching_turn) in children {
             self.state.axes.push(Axis {
                 generation: parent.generation + 1,
@@ -103,21 +108,55 @@ impl Growth {
                 attached: parent.bearer,
                 bearer,
                 branching_turn,
+                // The roll tells the side already.
+                branching: plane * exp(DVec3::Z * (side * branching_turn)) * back,
+                azimuth: parent.azimuth,
                 segments: 0,
                 forked: false,
             });
         }
     }
 
+    /// To second order, ends an axis in a massless node of zero length, which stands for half of its last segment, and
+    /// returns it; otherwise its last segment.
+    pub(super) fn end_in_node(&mut self, axis: usize) -> u32 {
+        let bearer = self.state.axes[axis].bearer;
+        if !self.second_order() {
+            return bearer;
+        }
+        let tip = self.state.wood[bearer as usize];
+        let length = self.state.linkage.length[bearer as usize];
+        let joint_length = 0.5 * length;
+        let pipe_stiffness = 2.0 * self.rigidity(tip.birth_radius) / length;
+        let rest = match self.is_spatial {
+            true => Rest::Space(self.rest_in_space(axis, false, joint_length)),
+            false => Rest::Plane(self.bend_and_turn(bearer, 0.0, joint_length)),
+        };
+        let node = Wood { birth: self.state.step, joint_length, branching_turn: 0.0, ..tip };
+        let since = self.state.pipes.since[bearer as usize];
+        let pipe = FirstPipe { since, stiffness: pipe_stiffness, mass: 0.0 };
+        self.push(bearer, 0.0, rest, node, pipe)
+    }
+
     /// Adds a rod, at rest in the direction that it has from its bearer; returns its index.
-    fn push(&mut self, bearer: u32, length: f64, rest: f64, wood: Wood, pipe: FirstPipe) -> u32 {
+    fn push(&mut self, bearer: u32, length: f64, rest: Rest, wood: Wood, pipe: FirstPipe) -> u32 {
         let rod = self.rods();
         self.state.wood.push(wood);
         self.state.pipes.push(pipe);
         let pipes = f64::from(self.pipes(rod));
-        self.state.linkage.push(bearer, length, pipes * pipes * pipe.stiffness, rest);
-        if self.turns() {
-            self.angle.push(self.direction(bearer) + rest);
+        let angle = if let Rest::Plane(angle) = rest { angle } else { 0.0 };
+        self.state.linkage.push(bearer, length, pipes * pipes * pipe.stiffness, angle);
+        match rest {
+            Rest::Space([branching, bend]) => {
+                self.state.shape.push(branching, bend);
+                if self.turns() {
+                    // As all orientations are found again from the shape, to the last bit.
+                    let turned = self.orientation_of(bearer) * self.state.shape.joint(rod);
+                    self.orientation.push(normalized(turned));
+                }
+            }
+            Rest::Plane(rest) if self.turns() => self.angle.push(self.direction(bearer) + rest),
+            Rest::Plane(_) => {}
         }
         rod as u32
     }
@@ -127,22 +166,47 @@ impl Growth {
         if rod == GROUND { 0.0 } else { self.angle[rod as usize] }
     }
 
+    /// By how much new wood that starts at `turn` from its bearer's direction is bent, and turned by the tropism, radians: half
+    /// of the bend before the turn and half after, so that the cut is of second order.
+    fn bend_and_turn(&self, bearer: u32, turn: f64, length: f64) -> f64 {
+        let crate::params::Axis { rest_curvature, rest_curvature_roll, .. } = self.params.axis;
+        if rest_curvature == 0.0 {
+            return self.tropic_turn(bearer, turn, length);
+        }
+        let bend = rest_curvature_roll.sin_cos().1 * rest_curvature * length;
+        bend + self.tropic_turn(bearer, turn + 0.5 * bend, length)
+    }
+
     /// How far a tropism turns new wood that starts at `turn` from its bearer's direction, radians (equation 73).
     fn tropic_turn(&self, bearer: u32, turn: f64, length: f64) -> f64 {
         if !self.turns() {
             return 0.0;
         }
         let tropism = &self.params.tropism;
+        let elevation = sought_in_plane(&self.params).unwrap_or(tropism.elevation);
         // The nearer way round in degrees, where that is exact: so left and right are mirrored to the bit.
-        let sought = Degrees(tropism.elevation.0 - self.params.axis.elevation.0).wrapped().radians();
+        let sought = Degrees(elevation.0 - self.params.axis.elevation.0).wrapped().radians();
         let away = wrap(self.direction(bearer) + turn - sought);
         turned(away, elasticity(tropism.strength, length)) - away
     }
 }
 
-/// The side to which the thicker child turns: counter-clockwise, unless the fork's plane is rolled over.
+/// The side to which the thicker child turns in the plane: counter-clockwise, unless the fork's plane is rolled over.
 fn rolled_side(params: &Params) -> f64 {
     if params.branching.roll.0 == 0.0 { 1.0 } else { -1.0 }
+}
+
+/// How the plane of a fork is turned about its parent, and how the children's own frames are turned back: by the half turns in
+/// it, which only change sides. So the planes roll on from fork to fork, and a half turn mirrors the plant.
+fn rolled_plane(params: &Params) -> [DQuat; 2] {
+    let angle = params.branching.roll.0;
+    [roll(Degrees(angle)), roll(Degrees(-180.0 * libm::rint(angle / 180.0)))]
+}
+
+/// Rest angle of new wood, or its rotation: the branching, and the bend of the wood from there.
+enum Rest {
+    Plane(f64),
+    Space([DQuat; 2]),
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::pull::Grip;
 use super::state::{Growth, STRIDE, State};
 use super::stem;
 use crate::mechanics::Status;
-use crate::params::{Arrangement, ArrangementPattern, BoughError, Params, PointForce};
+use crate::params::{Arrangement, ArrangementPattern, BoughError, Params, PointForce, copies_differ};
 use crate::plant::Plant;
 
 /// About how many bytes all checkpoints together may take.
@@ -55,6 +55,8 @@ pub struct History {
     grip: Option<Grip>,
     /// Whether the last way ended before its aim.
     is_stopped: bool,
+    /// Around a rigid stem, the copies that differ by more than their age and azimuth, each grown alone.
+    alone: Vec<History>,
 }
 
 impl History {
@@ -64,11 +66,14 @@ impl History {
     /// Every problem of the params at once.
     pub fn new(params: &Params) -> Result<Self, BoughError> {
         let growth = Growth::new(params)?;
+        let copies = if copies_differ(params) { params.arrangement.count as usize } else { 0 };
+        let alone = (0..copies).map(|copy| History::new(&stem::alone(params, copy)));
+        let alone = alone.collect::<Result<Vec<_>, _>>()?;
         let state = 16 * size_of::<f64>() * growth.full_grown_segments();
         let kept = (CHECKPOINT_BYTES / state.max(1)).clamp(1, MOST_CHECKPOINTS);
         let interval = growth.steps().div_ceil(kept as u32).next_multiple_of(STRIDE);
         let checkpoints = vec![growth.state.clone()];
-        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None, is_stopped: false })
+        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None, is_stopped: false, alone })
     }
 
     /// How many growth steps there are.
@@ -94,7 +99,7 @@ impl History {
     pub fn plant(&mut self) -> Plant {
         self.grip = None;
         let is_stopped = self.is_stopped;
-        let mut plant = if self.growth.params.arrangement.pattern == ArrangementPattern::Single {
+        let mut plant = if self.growth.params.arrangement.pattern != ArrangementPattern::Stem {
             self.growth.plant()
         } else {
             let copies = self.copies();
@@ -113,6 +118,9 @@ impl History {
         let Arrangement { count, interval, .. } = self.growth.params.arrangement;
         let younger = |copy: u32| step.checked_sub(copy.saturating_mul(interval));
         let mut ages: Vec<u32> = (0..count).map_while(younger).take_while(|&age| age > 0).collect();
+        if !self.alone.is_empty() {
+            return self.alone.iter_mut().zip(ages).map(|(copy, age)| copy.at(age)).collect();
+        }
         // From the youngest to the oldest, so that growth only goes forward and ends where it stood.
         ages.reverse();
         let mut copies: Vec<Plant> = Vec::with_capacity(ages.len());
@@ -130,8 +138,8 @@ impl History {
     }
 
     /// The plant at the step that growth stands at, with the distal end of a segment held at a place (x, y, z in m), as a
-    /// pointer does; `params.loads.forces` of the result names the force that holds it. Of the place only what
-    /// lies in the plane of the axis counts, and out of reach the point comes as near as it can. `None` when there is no
+    /// pointer does; `params.loads.forces` of the result names the force that holds it. Of the place of a planar plant only
+    /// what lies in its plane counts, and out of reach the point comes as near as it can. `None` when there is no
     /// such segment, the stem's included, or no equilibrium was found. The next [`History::plant`] lets go.
     ///
     /// Calls with places near each other are quick: each goes on from the one before.
@@ -149,8 +157,8 @@ impl History {
     /// ```
     pub fn hold(&mut self, segment: u32, place: [f64; 3]) -> Option<Plant> {
         let grip = self.grip.take();
-        if self.growth.params.arrangement.pattern == ArrangementPattern::Single {
-            let (plant, grip) = self.growth.hold(segment, [place[0], place[1]], grip)?;
+        if self.growth.params.arrangement.pattern != ArrangementPattern::Stem {
+            let (plant, grip) = self.growth.hold(segment, place, grip)?;
             self.grip = Some(grip);
             return Some(plant);
         }
@@ -165,10 +173,15 @@ impl History {
             found
         })?;
         let stand = stem::place(&self.growth.params, copy);
-        self.seek(copies[copy].report.steps, u64::MAX);
         // A grip counts its segments in the whole arrangement.
-        let grip = grip.filter(|grip| grip.segment == own as u32);
-        let held = self.growth.hold(own as u32, stand.inward(place), grip);
+        let grip = grip.filter(|grip| grip.segment() == own as u32);
+        let held = match self.alone.get(copy) {
+            Some(alone) => alone.growth.hold(own as u32, stand.inward(place), grip),
+            None => {
+                self.seek(copies[copy].report.steps, u64::MAX);
+                self.growth.hold(own as u32, stand.inward(place), grip)
+            }
+        };
         self.seek(step, u64::MAX);
         let (plant, grip) = held?;
         self.grip = Some(grip);
@@ -217,6 +230,7 @@ impl History {
         while self.growth.steps_taken() < step {
             let (state, laid) = (self.growth.state.clone(), self.growth.laid.len());
             let workspace = self.growth.workspace.clone();
+            let in_space = self.growth.workspace_in_space.clone();
             let taken = self.growth.steps_taken();
             self.growth.workspace.allowance = Some(left);
             let mut steps_left = left;
@@ -229,6 +243,7 @@ impl History {
             if self.growth.steps_taken() <= taken {
                 self.growth.return_to(&state, laid);
                 self.growth.workspace = workspace;
+                self.growth.workspace_in_space = in_space;
                 self.is_stopped = true;
                 return false;
             }
@@ -242,7 +257,7 @@ impl History {
     /// How much of the work of growth it takes again to make the plant of it: the copies around a stem are grown anew.
     pub fn remaking(&self) -> f64 {
         match self.growth.params.arrangement.pattern {
-            ArrangementPattern::Single => 0.03,
+            ArrangementPattern::Single | ArrangementPattern::FlexibleStem => 0.03,
             ArrangementPattern::Stem => 1.0,
         }
     }

@@ -2,13 +2,16 @@
 
 mod attach;
 mod axis;
+mod buckling;
 mod extrapolation;
+mod flexible_stem;
 mod fork;
 mod history;
 mod pipes;
 mod plan;
 mod plant;
 mod pull;
+mod space;
 mod state;
 mod stem;
 mod trajectory;

@@ -79,6 +79,9 @@ impl Growth {
         if self.params.growth.thickening == Thickening::None {
             return;
         }
+        if self.is_spatial {
+            return self.thicken_in_space();
+        }
         let State { linkage, pipes, step, .. } = &mut self.state;
         let Linkage { stiffness, rest, deviation, .. } = linkage;
         pipes.lay(f64::from(*step), stiffness, rest, deviation);
@@ -86,6 +89,9 @@ impl Growth {
 
     /// Keeps the rest angle of the pipes that were laid in this step.
     pub(super) fn record_pipes(&mut self) {
+        if self.is_spatial {
+            return self.record_pipes_in_space();
+        }
         let Linkage { rest, deviation, .. } = &self.state.linkage;
         self.laid.extend(rest.iter().zip(deviation).map(|(rest, deviation)| rest + deviation));
     }

@@ -6,8 +6,9 @@ use alloc::vec::Vec;
 
 use core::f64::consts::PI;
 
+use super::axis::STEM;
 use super::fork::Fork;
-use crate::params::{Params, Thickening, segments_of_generations};
+use crate::params::{ArrangementPattern, Params, Thickening, segments_of_generations, steps_of};
 use crate::trigonometry::sin_cos;
 
 /// The finished axes of one generation, segment by segment from the base.
@@ -28,6 +29,9 @@ pub(super) struct Plan {
     pub(super) generations: Vec<AxisPlan>,
     /// How the axes of all generations but the last fork.
     pub(super) fork: Fork,
+    /// The flexible stem, one segment below each of its axes.
+    pub(super) stem: Option<AxisPlan>,
+    steps: u32,
 }
 
 impl Plan {
@@ -35,16 +39,36 @@ impl Plan {
         let branching = &params.branching;
         let generations = segments_of_generations(params).map(|segments| AxisPlan::new(params, segments));
         let fork = Fork::new(branching.exponent, branching.girth_ratio);
-        Plan { generations: generations.collect(), fork }
+        let arrangement = &params.arrangement;
+        let stem = (arrangement.pattern == ArrangementPattern::FlexibleStem)
+            .then(|| AxisPlan::even(arrangement.count as usize, arrangement.spacing));
+        Plan { generations: generations.collect(), fork, stem, steps: steps_of(params) as u32 }
     }
 
     /// Growth steps until the last generation is finished.
     pub(super) fn steps(&self) -> u32 {
-        self.generations.iter().map(|axis| axis.length.len() as u32).sum()
+        self.steps
+    }
+
+    /// That of an axis of a generation, or of the stem.
+    pub(super) fn of(&self, generation: u32) -> &AxisPlan {
+        match &self.stem {
+            Some(stem) if generation == STEM => stem,
+            _ => &self.generations[generation as usize],
+        }
     }
 }
 
 impl AxisPlan {
+    /// Segments that are all as long and as thick.
+    fn even(segments: usize, length: f64) -> Self {
+        AxisPlan {
+            length: vec![length; segments],
+            radius: vec![1.0; segments],
+            radius_at: vec![1.0; segments + 1],
+        }
+    }
+
     fn new(params: &Params, segments: u32) -> Self {
         let axis = &params.axis;
         let length = lengths(segments as usize, axis.length_profile, axis.segment_length);

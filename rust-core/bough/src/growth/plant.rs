@@ -3,25 +3,61 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use glam::{DQuat, DVec3};
+
+use super::axis::STEM;
+use super::pull::turned;
 use super::state::Growth;
 use super::wood::Wood;
 use crate::angle::Degrees;
 use crate::mechanics::{GROUND, Linkage, Report};
 use crate::params::Thickening;
 use crate::plant::{Plant, Polylines, Segments};
+use crate::space::{Shape, log};
 use crate::trigonometry::sin_cos;
 
+/// The shape of the rods: in their plane or in space.
+pub(super) enum Pose<'a> {
+    Plane(&'a Linkage),
+    Space { shape: &'a Shape, orientation: &'a [DQuat] },
+}
+
 /// The result arrays for this shape of the plant.
-pub(super) fn assemble(growth: &Growth, linkage: &Linkage, report: Report) -> Plant {
+pub(super) fn assemble(growth: &Growth, pose: &Pose, report: Report) -> Plant {
     let mut angle = Vec::new();
-    linkage.angles(&mut angle);
+    if let Pose::Plane(linkage) = pose {
+        linkage.angles(&mut angle);
+    }
     let rods = RodsOfAxes::new(growth);
+    let end = match pose {
+        Pose::Plane(linkage) => ends_in_plane(growth, linkage, &angle),
+        Pose::Space { orientation, .. } => ends_in_space(growth, orientation),
+    };
+    let joints = match pose {
+        Pose::Plane(linkage) => joints_in_plane(growth, linkage, &angle),
+        Pose::Space { shape, orientation } => joints_in_space(growth, shape, orientation),
+    };
+    let stress = match pose {
+        Pose::Plane(_) if !growth.foreseen_stress.is_empty() => growth.foreseen_stress.clone(),
+        Pose::Plane(linkage) => stress(growth, linkage),
+        Pose::Space { shape, .. } => growth.stress_in_space(shape),
+    };
     Plant {
-        polylines: polylines(growth, linkage, &angle, &rods),
-        segments: segments(growth, linkage, &angle, &rods),
+        polylines: polylines(growth, &end, &rods),
+        segments: segments(growth, &joints, &stress, &rods),
         params: growth.params.clone(),
         report,
     }
+}
+
+/// What there is to say of a rod and its base joint.
+struct Joint {
+    /// Orientation of the rod, a quaternion x, y, z, w.
+    rotation: [f64; 4],
+    moment: f64,
+    twist_moment: f64,
+    curvature: f64,
+    rest_curvature: f64,
 }
 
 /// Which rods are the segments of which axis. The nodes of forks belong to the mechanics alone.
@@ -58,25 +94,88 @@ pub(super) fn segments_of(growth: &Growth) -> impl Iterator<Item = (usize, &Wood
     growth.state.wood.iter().enumerate().filter(|(rod, _)| length[*rod] > 0.0)
 }
 
-fn polylines(growth: &Growth, linkage: &Linkage, angle: &[f64], rods: &RodsOfAxes) -> Polylines {
+/// Distal end of every rod, m.
+fn ends_in_plane(growth: &Growth, linkage: &Linkage, angle: &[f64]) -> Vec<[f64; 3]> {
     let (base_sin, base_cos) = growth.params.axis.elevation.sin_cos();
-    let mut end = Vec::with_capacity(linkage.len());
+    let mut end: Vec<[f64; 3]> = Vec::with_capacity(linkage.len());
     for (rod, &angle) in angle.iter().enumerate() {
-        let [x, y] = match linkage.parent[rod] {
-            GROUND => [0.0, 0.0],
+        let [x, y, _] = match linkage.parent[rod] {
+            GROUND => [0.0; 3],
             parent => end[parent as usize],
         };
         let (sin, cos) = sin_cos(angle);
         let length = linkage.length[rod];
         let dx = length * (cos * base_cos - sin * base_sin);
         let dy = length * (sin * base_cos + cos * base_sin);
-        end.push([x + dx, y + dy]);
+        end.push([x + dx, y + dy, 0.0]);
     }
+    end.iter_mut().for_each(|point| *point = turned(growth.params.axis.azimuth, *point));
+    end
+}
+
+fn ends_in_space(growth: &Growth, orientation: &[DQuat]) -> Vec<[f64; 3]> {
+    let linkage = &growth.state.linkage;
+    let mut end: Vec<[f64; 3]> = Vec::with_capacity(linkage.len());
+    for (rod, orientation) in orientation.iter().enumerate() {
+        let foot = match linkage.parent[rod] {
+            GROUND => DVec3::ZERO,
+            parent => DVec3::from_array(end[parent as usize]),
+        };
+        end.push((foot + *orientation * DVec3::X * linkage.length[rod]).to_array());
+    }
+    end
+}
+
+fn joints_in_plane(growth: &Growth, linkage: &Linkage, angle: &[f64]) -> Vec<Joint> {
+    let (base_sin, base_cos) = Degrees(0.5 * growth.params.axis.elevation.0).sin_cos();
+    let azimuth = growth.params.axis.azimuth;
+    let (turn_sin, turn_cos) = Degrees(0.5 * azimuth.0).sin_cos();
+    let joint = |(rod, wood): (usize, &Wood)| {
+        let (sin, cos) = sin_cos(0.5 * angle[rod]);
+        let [z, w] = [sin * base_cos + cos * base_sin, cos * base_cos - sin * base_sin];
+        let bend = linkage.rest[rod] - wood.branching_turn;
+        Joint {
+            rotation: match azimuth.0 {
+                0.0 => [0.0, 0.0, z, w],
+                _ => [turn_sin * z, turn_sin * w, turn_cos * z, turn_cos * w],
+            },
+            moment: linkage.stiffness[rod] * linkage.deviation[rod],
+            twist_moment: 0.0,
+            curvature: (bend + linkage.deviation[rod]) / wood.joint_length,
+            rest_curvature: bend / wood.joint_length,
+        }
+    };
+    growth.state.wood.iter().enumerate().map(joint).collect()
+}
+
+fn joints_in_space(growth: &Growth, shape: &Shape, orientation: &[DQuat]) -> Vec<Joint> {
+    let rods = growth.rods_in_space();
+    let mut is_first = vec![true; growth.state.axes.len()];
+    let joint = |(rod, wood): (usize, &Wood)| {
+        let axis = wood.axis as usize;
+        // The node that ends an axis is its last rod, never its first.
+        let branching = if is_first[axis] { growth.state.axes[axis].branching } else { DQuat::IDENTITY };
+        is_first[axis] = false;
+        let bend =
+            |joint: DQuat| shape.across(rod, log(branching.conjugate() * joint))[0] / wood.joint_length;
+        let [moment, twist_moment] = shape.moment(rods, rod);
+        Joint {
+            rotation: orientation[rod].to_array(),
+            moment,
+            twist_moment,
+            curvature: bend(shape.joint(rod)),
+            rest_curvature: bend(shape.rest[rod]),
+        }
+    };
+    growth.state.wood.iter().enumerate().map(joint).collect()
+}
+
+fn polylines(growth: &Growth, end: &[[f64; 3]], rods: &RodsOfAxes) -> Polylines {
     let mut polylines = Polylines { offsets: vec![0], ..Polylines::default() };
     for (index, axis) in growth.state.axes.iter().enumerate() {
-        let attached = if axis.attached == GROUND { [0.0, 0.0] } else { end[axis.attached as usize] };
+        let attached = if axis.attached == GROUND { [0.0; 3] } else { end[axis.attached as usize] };
         let ends = rods.of(index).iter().map(|&rod| end[rod as usize]);
-        polylines.points.extend(core::iter::once(attached).chain(ends).flat_map(|[x, y]| [x, y, 0.0]));
+        polylines.points.extend(core::iter::once(attached).chain(ends).flatten());
         polylines.radii.extend(radii(growth, index, rods.of(index)));
         polylines.offsets.push(polylines.radii.len() as u32);
     }
@@ -87,7 +186,7 @@ fn polylines(growth: &Growth, linkage: &Linkage, angle: &[f64], rods: &RodsOfAxe
 /// sides.
 fn radii<'a>(growth: &'a Growth, axis: usize, rods: &'a [u32]) -> impl Iterator<Item = f64> + 'a {
     let state = &growth.state.axes[axis];
-    let born = &growth.plan.generations[state.generation as usize].radius_at;
+    let born = &growth.plan.of(state.generation).radius_at;
     let pipes = growth.params.growth.thickening == Thickening::Pipes;
     let radius = |index: usize| rods.get(index).map(|&rod| growth.section(rod as usize).radius());
     (0..=rods.len()).map(move |point| {
@@ -101,39 +200,54 @@ fn radii<'a>(growth: &'a Growth, axis: usize, rods: &'a [u32]) -> impl Iterator<
     })
 }
 
-fn segments(growth: &Growth, linkage: &Linkage, angle: &[f64], rods: &RodsOfAxes) -> Segments {
-    let (base_sin, base_cos) = Degrees(0.5 * growth.params.axis.elevation.0).sin_cos();
-    let foreseen = (!growth.foreseen_stress.is_empty()).then(|| growth.foreseen_stress.clone());
-    let stress = foreseen.unwrap_or_else(|| stress(growth, linkage));
+fn segments(growth: &Growth, joints: &[Joint], stress: &[f64], rods: &RodsOfAxes) -> Segments {
+    let linkage = &growth.state.linkage;
+    // A fork's node counts as the segment that it ends.
     let mut segment_of_rod = vec![-1; linkage.len()];
     let mut grown = vec![0; growth.state.axes.len()];
     let mut segments = Segments::default();
-    for (rod, wood) in segments_of(growth) {
-        let axis = wood.axis as usize;
-        // A child's bearer is the node; what bears the node is the parent's last segment.
-        let bearer = if grown[axis] == 0 { growth.state.axes[axis].attached } else { linkage.parent[rod] };
+    for (rod, wood) in growth.state.wood.iter().enumerate() {
+        let bearer = linkage.parent[rod];
         let parent = if bearer == GROUND { -1 } else { segment_of_rod[bearer as usize] };
+        if linkage.length[rod] == 0.0 {
+            segment_of_rod[rod] = parent;
+            continue;
+        }
+        let axis = wood.axis as usize;
         segment_of_rod[rod] = segments.parent.len() as i32;
         grown[axis] += 1;
         segments.parent.push(parent);
         segments.point.push((rods.offsets[axis] + axis + grown[axis]) as u32);
         segments.axis.push(wood.axis);
-        segments.order.push(growth.state.axes[axis].generation);
+        segments.order.push(growth.order(axis));
         segments.birth.push(wood.birth);
         segments.length.push(linkage.length[rod]);
         segments.radius.push(growth.section(rod).radius());
         segments.mass.push(growth.mass(rod));
-        let (sin, cos) = sin_cos(0.5 * angle[rod]);
-        let rotation = [0.0, 0.0, sin * base_cos + cos * base_sin, cos * base_cos - sin * base_sin];
-        segments.rotation.extend(rotation);
-        segments.moment.push(linkage.stiffness[rod] * linkage.deviation[rod]);
-        segments.twist_moment.push(0.0);
-        let bend = linkage.rest[rod] - wood.branching_turn;
-        segments.curvature.push((bend + linkage.deviation[rod]) / wood.joint_length);
-        segments.rest_curvature.push(bend / wood.joint_length);
+        let joint = &joints[rod];
+        segments.rotation.extend(joint.rotation);
+        segments.moment.push(joint.moment);
+        segments.twist_moment.push(joint.twist_moment);
+        segments.curvature.push(joint.curvature);
+        segments.rest_curvature.push(joint.rest_curvature);
         segments.stress.push(stress[rod]);
     }
     segments
+}
+
+impl Growth {
+    /// Branching order of an axis: a flexible stem has 0, and its axes one more than their generation.
+    fn order(&self, axis: usize) -> u32 {
+        match self.state.axes[axis].generation {
+            STEM => 0,
+            generation => generation + u32::from(self.plan.stem.is_some()),
+        }
+    }
+
+    /// Whether the rest angles of all pipes are on record.
+    pub(super) fn remembers_pipes(&self) -> bool {
+        self.params.growth.thickening == Thickening::Pipes && self.is_exact()
+    }
 }
 
 /// Largest fibre stress at every rod's base joint: over its pipes, `E r |mu - phi| / s`, each pipe with its own
@@ -143,8 +257,7 @@ pub(super) fn stress(growth: &Growth, linkage: &Linkage) -> Vec<f64> {
     let modulus = growth.params.material.youngs_modulus;
     let strain =
         |rod: usize, radius: f64, deviation: f64| modulus * radius * deviation.abs() / wood[rod].joint_length;
-    let remembered = growth.params.growth.thickening == Thickening::Pipes && growth.is_exact();
-    if !remembered {
+    if !growth.remembers_pipes() {
         let whole = |rod: usize| strain(rod, growth.section(rod).radius(), linkage.deviation[rod]);
         return (0..wood.len()).map(whole).collect();
     }

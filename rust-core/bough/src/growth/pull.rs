@@ -2,21 +2,30 @@
 
 use alloc::vec;
 
-use super::plant::{assemble, segments_of};
+use glam::DVec3;
+
+use super::plant::{Pose, assemble, segments_of};
 use super::state::Growth;
 use crate::angle::Degrees;
 use crate::mechanics::{
     Elimination, GROUND, Held, Linkage, Loads, Report, Settings, Status, Workspace, hold, settle,
 };
-use crate::params::PointForce;
+use crate::params::{Params, PointForce};
 use crate::plant::Plant;
+use crate::space::Shape;
 
 /// A point that is being held, to go on from when the place moves.
 #[derive(Clone, Debug)]
-pub(super) struct Grip {
-    pub(super) segment: u32,
-    linkage: Linkage,
-    held: Held,
+pub(super) enum Grip {
+    Plane { segment: u32, linkage: Linkage, held: Held },
+    Space { segment: u32, shape: Shape, force: DVec3 },
+}
+
+impl Grip {
+    pub(super) fn segment(&self) -> u32 {
+        let (Grip::Plane { segment, .. } | Grip::Space { segment, .. }) = self;
+        *segment
+    }
 }
 
 impl Growth {
@@ -26,10 +35,9 @@ impl Growth {
             return;
         }
         let before = loads.clone();
-        for PointForce { segment, force: [x, y, _] } in &self.params.loads.forces {
+        for PointForce { segment, force } in &self.params.loads.forces {
             if let Some(rod) = self.rod_of(*segment) {
-                let [x, y] = turned(self.params.axis.elevation, [*x, *y], -1.0);
-                act(linkage, loads, rod, [x, y]);
+                act(linkage, loads, rod, into_plane(&self.params, *force));
             }
         }
         let settings = Settings { tolerance: self.params.solver.tolerance };
@@ -39,28 +47,33 @@ impl Growth {
         report.iterations += outcome.iterations;
     }
 
-    /// The plant with the distal end of a segment held at a place (x, y in m, in the plane of the axis), and the grip to
-    /// go on from. Its params name the force that holds it, which acts even where all loads are taken off. Out of reach, the point comes as near as it can; `None` when
+    /// The plant with the distal end of a segment held at a place (m; of planar plants what lies in their plane counts), and
+    /// the grip to go on from. Its params name the force that holds it. Out of reach, the point comes as near as it can; `None` when
     /// there is no such segment, or no equilibrium was found.
-    pub(super) fn hold(&self, segment: u32, place: [f64; 2], grip: Option<Grip>) -> Option<(Plant, Grip)> {
+    pub(super) fn hold(&self, segment: u32, place: [f64; 3], grip: Option<Grip>) -> Option<(Plant, Grip)> {
+        if self.is_spatial {
+            return self.hold_in_space(segment, place, grip);
+        }
         let rod = self.rod_of(segment)?;
-        let elevation = self.params.axis.elevation;
         let settings = Settings { tolerance: self.params.solver.tolerance };
-        let grip = grip.filter(|grip| grip.segment == segment && grip.linkage.len() == self.rods());
         let mut loads = self.state.loads.clone();
         if self.params.loads.removed {
             loads = Loads::none(self.rods());
         }
         let (mut linkage, start) = match grip {
-            Some(grip) => (grip.linkage, grip.held.force),
-            None => (self.shown(), [0.0; 2]),
+            Some(Grip::Plane { segment: own, linkage, held })
+                if own == segment && linkage.len() == self.rods() =>
+            {
+                (linkage, held.force)
+            }
+            _ => (self.shown(), [0.0; 2]),
         };
-        let local = turned(elevation, place, -1.0);
+        let local = into_plane(&self.params, place);
         let held = hold(&mut linkage, &loads, rod, local, start, settings);
         if held.outcome.status != Status::Converged {
             return None;
         }
-        let [x, y] = turned(elevation, held.force, 1.0);
+        let force = out_of_plane(&self.params, held.force);
         act(&linkage, &mut loads, rod, held.force);
         let mut elimination = Elimination::default();
         elimination.evaluate(&linkage, &loads);
@@ -72,24 +85,55 @@ impl Growth {
             stable,
             iterations,
             gravity_number: self.gravity_number(),
+            self_buckling: self.self_buckling(),
             ..self.state.report
         };
-        let mut plant = assemble(self, &linkage, report);
-        plant.params.loads.forces = vec![PointForce { segment, force: [x, y, 0.0] }];
-        Some((plant, Grip { segment, linkage, held }))
+        let mut plant = assemble(self, &Pose::Plane(&linkage), report);
+        plant.params.loads.forces = vec![PointForce { segment, force }];
+        Some((plant, Grip::Plane { segment, linkage, held }))
     }
 
     /// The rod that is this segment.
-    fn rod_of(&self, segment: u32) -> Option<usize> {
+    pub(super) fn rod_of(&self, segment: u32) -> Option<usize> {
         segments_of(self).nth(segment as usize).map(|(rod, _)| rod)
     }
 }
 
-/// Turns a vector in the plane of the axis by plus or minus the elevation: out of or into the frame of the base
-/// direction.
-fn turned(elevation: Degrees, [x, y]: [f64; 2], sign: f64) -> [f64; 2] {
-    let (sin, cos) = elevation.sin_cos();
-    [x * cos - sign * y * sin, y * cos + sign * x * sin]
+/// A vector of the world in the frame of the base direction; what is beside the plane of the axis is left out.
+pub(super) fn into_plane(params: &Params, [x, y, z]: [f64; 3]) -> [f64; 2] {
+    let (sin, cos) = params.axis.elevation.sin_cos();
+    let along = match params.axis.azimuth.0 {
+        0.0 => x,
+        _ => {
+            let (sin, cos) = params.axis.azimuth.sin_cos();
+            x * cos - z * sin
+        }
+    };
+    [along * cos + y * sin, y * cos - along * sin]
+}
+
+/// A vector in the frame of the base direction as the world sees it.
+pub(super) fn out_of_plane(params: &Params, [x, y]: [f64; 2]) -> [f64; 3] {
+    let (sin, cos) = params.axis.elevation.sin_cos();
+    turned(params.axis.azimuth, [x * cos - y * sin, y * cos + x * sin, 0.0])
+}
+
+/// A vector turned about the vertical; by nothing to the same bits.
+pub(super) fn turned(azimuth: Degrees, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    if azimuth.0 == 0.0 {
+        return [x, y, z];
+    }
+    let (sin, cos) = azimuth.sin_cos();
+    [x * cos + z * sin, y, z * cos - x * sin]
+}
+
+/// As [`act`], in space.
+pub(super) fn act_in_space(linkage: &Linkage, force: &mut [DVec3], rod: usize, pull: DVec3) {
+    let mut rod = rod as u32;
+    while rod != GROUND && pull != DVec3::ZERO {
+        force[rod as usize] += pull;
+        rod = linkage.parent[rod as usize];
+    }
 }
 
 /// Adds a force on the distal end of a rod to the loads of all rods that bear it.

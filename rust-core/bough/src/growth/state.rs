@@ -4,17 +4,23 @@ use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 
+use glam::{DQuat, DVec3};
+
 use super::axis::Axis;
 use super::extrapolation::foresee;
+use super::flexible_stem::stem_axis;
 use super::pipes::Pipes;
 use super::plan::Plan;
+use super::plant::Pose;
+use super::space::plane_of;
 use super::trend::Trend;
 use super::wood::Wood;
 use crate::mechanics::{
     Elimination, GROUND, Linkage, Loads, Outcome, Relaxation, Report, Settings, Status, Workspace, settle,
 };
-use crate::params::{BoughError, Method, Params, Stepping, Thickening, check, is_foreseeable};
+use crate::params::{BoughError, Method, Params, Stepping, Thickening, check, is_foreseeable, is_spatial};
 use crate::plant::Plant;
+use crate::space::{self, Shape};
 
 /// Every so many steps growth goes on from its state alone; states are kept for that ([`super::History`]).
 pub(super) const STRIDE: u32 = 16;
@@ -24,11 +30,15 @@ pub(super) const STRIDE: u32 = 16;
 pub(super) struct State {
     pub(super) step: u32,
     pub(super) linkage: Linkage,
+    /// In space: rest rotations and deviations, in place of the linkage's angles.
+    pub(super) shape: Shape,
     pub(super) wood: Vec<Wood>,
     pub(super) pipes: Pipes,
     pub(super) axes: Vec<Axis>,
     /// The loads with which the linkage is in equilibrium.
     pub(super) loads: Loads,
+    /// In space: the force beyond each rod, in place of the loads.
+    pub(super) force: Vec<DVec3>,
     /// How the deviations have been changing from step to step.
     pub(super) trend: Trend,
     pub(super) report: Report,
@@ -49,19 +59,28 @@ pub(super) struct State {
 pub struct Growth {
     pub(super) params: Params,
     pub(super) plan: Plan,
+    /// Whether the rods are in space: where they all lie in one vertical plane, planar ones are quicker.
+    pub(super) is_spatial: bool,
+    /// In space, the normal of the plane in which they lie all the same.
+    pub(super) plane: Option<DVec3>,
     pub(super) state: State,
-    /// Rest angle of every pipe that was laid, step after step: in step s one number for each rod of then.
+    /// Rest angle of every pipe that was laid, step after step: in step s one number for each rod of then; in space three,
+    /// its rotation vector.
     pub(super) laid: Vec<f64>,
     /// Where new wood turns: direction of every rod when the step began, in the frame of the base direction.
     pub(super) angle: Vec<f64>,
+    /// The same in space.
+    pub(super) orientation: Vec<DQuat>,
     /// Largest fibre stress of every rod, where growth was foreseen instead of stepped through.
     pub(super) foreseen_stress: Vec<f64>,
     pub(super) underway: Option<Underway>,
     /// The loads with which the plant was in equilibrium when the step began.
     pub(super) before: Loads,
+    pub(super) force_before: Vec<DVec3>,
     /// How the deviations are expected to change; a buffer, like the next.
-    guess: Vec<f64>,
+    pub(super) guess: Vec<f64>,
     pub(super) workspace: Workspace,
+    pub(super) workspace_in_space: space::Workspace,
 }
 
 /// What is left to do in a step whose new wood is attached.
@@ -91,20 +110,29 @@ impl Growth {
             attached: GROUND,
             bearer: GROUND,
             branching_turn: 0.0,
+            branching: space::orientation(params.axis.elevation, params.axis.azimuth),
+            azimuth: params.axis.azimuth,
             segments: 0,
             forked: false,
         };
+        let plan = Plan::new(params);
+        let first = if plan.stem.is_some() { stem_axis(params) } else { main };
         Growth {
-            plan: Plan::new(params),
+            plan,
+            is_spatial: is_spatial(params),
+            plane: plane_of(params),
             params: params.clone(),
-            state: State { axes: vec![main], ..State::default() },
+            state: State { axes: vec![first], ..State::default() },
             laid: Vec::new(),
             angle: Vec::new(),
+            orientation: Vec::new(),
             foreseen_stress: Vec::new(),
             underway: None,
             before: Loads::default(),
+            force_before: Vec::new(),
             guess: Vec::new(),
             workspace: Workspace::default(),
+            workspace_in_space: space::Workspace::default(),
         }
     }
 
@@ -123,6 +151,7 @@ impl Growth {
         self.state.clone_from(state);
         self.laid.truncate(pipes_laid);
         self.angle.clear();
+        self.orientation.clear();
         self.underway = None;
     }
 
@@ -134,7 +163,13 @@ impl Growth {
     /// How many segments the finished plant has.
     pub(super) fn full_grown_segments(&self) -> usize {
         let axes = self.plan.generations.iter().enumerate();
-        axes.map(|(generation, axis)| axis.length.len() << generation).sum()
+        let one: usize = axes.map(|(generation, axis)| axis.length.len() << generation).sum();
+        self.plan.stem.as_ref().map_or(one, |stem| stem.length.len() * (one + 1))
+    }
+
+    /// How many segments the plant has now, those of the solver between them (the nodes of forks) included.
+    pub fn segments(&self) -> usize {
+        self.rods()
     }
 
     /// How many segments and nodes there are now.
@@ -190,7 +225,9 @@ impl Growth {
             self.workspace.forget();
             // Everything grows unloaded, and without load nothing is remembered.
             self.state.linkage.deviation.fill(0.0);
+            self.state.shape.deviation.fill([0.0; 3]);
             self.state.loads = Loads::none(0);
+            self.state.force.clear();
             self.state.report = Report::default();
             self.state.trend = Trend::default();
             self.see();
@@ -218,6 +255,10 @@ impl Growth {
         let settings = Settings { tolerance: self.params.solver.tolerance };
         let outcome = match self.underway.take() {
             None => return,
+            Some(Underway::Newton) if self.is_spatial => {
+                *budget = budget.saturating_sub(3 * self.rods() as u64);
+                self.settle_in_space(settings)
+            }
             Some(Underway::Newton) => {
                 let State { linkage, loads, trend, .. } = &mut self.state;
                 trend.expect(&mut self.guess);
@@ -280,7 +321,13 @@ impl Growth {
 
     /// Takes down where every rod points now.
     fn see(&mut self) {
-        if self.turns() {
+        if self.is_spatial {
+            if self.turns() {
+                let mut orientation = core::mem::take(&mut self.orientation);
+                self.state.shape.orientations(self.rods_in_space(), &mut orientation);
+                self.orientation = orientation;
+            }
+        } else if self.turns() {
             let mut angle = core::mem::take(&mut self.angle);
             self.state.linkage.angles(&mut angle);
             self.angle = angle;
@@ -306,6 +353,9 @@ impl Growth {
 
     /// The plant as it stands. O(n), and with pipes O(n steps) for the stress.
     pub fn plant(&self) -> Plant {
+        if self.is_spatial {
+            return self.plant_in_space();
+        }
         let mut linkage = self.shown();
         let mut report = self.state.report;
         let mut loads = self.state.loads.clone();
@@ -323,7 +373,8 @@ impl Growth {
             elimination.eliminate(&linkage, 0.0) == 0
         });
         report.gravity_number = self.gravity_number();
-        super::plant::assemble(self, &linkage, report)
+        report.self_buckling = self.self_buckling();
+        super::plant::assemble(self, &Pose::Plane(&linkage), report)
     }
 }
 
@@ -333,7 +384,9 @@ fn note(report: &mut Report, outcome: Outcome, step: u32) {
     report.residual = outcome.residual;
     report.worst_step_residual = f64::max(report.worst_step_residual, outcome.residual);
     report.iterations += outcome.iterations;
-    if outcome.unstable_directions.is_some_and(|count| count > 0) && report.unstable_since.is_none() {
+    let is_lost = !matches!(outcome.status, Status::Converged | Status::Budget);
+    let is_unstable = outcome.unstable_directions.is_some_and(|count| count > 0);
+    if (is_unstable || is_lost) && report.unstable_since.is_none() {
         report.unstable_since = Some(step);
     }
 }

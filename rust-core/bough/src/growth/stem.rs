@@ -4,7 +4,7 @@
 use alloc::vec;
 
 use crate::angle::Degrees;
-use crate::params::Params;
+use crate::params::{ArrangementPattern, Params, copies_differ};
 use crate::plant::{Plant, Polylines, Segments};
 
 /// Where and which way a copy stands.
@@ -17,24 +17,34 @@ pub(super) struct Place {
 
 /// Where a copy stands, the oldest first.
 pub(super) fn place(params: &Params, copy: usize) -> Place {
+    let turned = Degrees(copy as f64 * params.arrangement.divergence.0 % 360.0);
     Place {
         height: (copy + 1) as f64 * params.arrangement.spacing,
-        azimuth: Degrees(copy as f64 * params.arrangement.divergence.0 % 360.0),
+        // Copies that differ have been grown in their own planes.
+        azimuth: if copies_differ(params) { Degrees(0.0) } else { turned },
         bearer: copy as u32,
     }
 }
 
+/// The params of one of the copies that differ: alone, and in its own vertical plane.
+pub(super) fn alone(params: &Params, copy: usize) -> Params {
+    let mut alone = params.clone();
+    alone.arrangement.pattern = ArrangementPattern::Single;
+    alone.axis.azimuth.0 = (params.axis.azimuth.0 + copy as f64 * params.arrangement.divergence.0) % 360.0;
+    alone
+}
+
 impl Place {
     /// A point in space as seen in the copy's own plane.
-    pub(super) fn inward(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
+    pub(super) fn inward(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let (sin, cos) = self.azimuth.sin_cos();
-        [x * cos - z * sin, y - self.height]
+        [x * cos - z * sin, y - self.height, x * sin + z * cos]
     }
 
     /// A vector in the copy's own plane as seen in space.
-    pub(super) fn outward(&self, [x, y, _]: [f64; 3]) -> [f64; 3] {
+    pub(super) fn outward(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let (sin, cos) = self.azimuth.sin_cos();
-        [x * cos, y, -x * sin]
+        [x * cos + z * sin, y, z * cos - x * sin]
     }
 }
 
@@ -94,7 +104,7 @@ fn add(plant: &mut Plant, copy: &Plant, place: &Place) {
 
     let polylines = &mut plant.polylines;
     for point in copy.polylines.points.chunks_exact(3) {
-        let [x, y, z] = place.outward([point[0], point[1], 0.0]);
+        let [x, y, z] = place.outward([point[0], point[1], point[2]]);
         polylines.points.extend([x, y + place.height, z]);
     }
     polylines.radii.extend(&copy.polylines.radii);

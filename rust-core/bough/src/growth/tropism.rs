@@ -1,5 +1,7 @@
 //! How new wood turns to the direction it seeks.
 
+use glam::DVec3;
+
 use crate::angle::wrap;
 use crate::trigonometry::sin_cos;
 
@@ -36,4 +38,16 @@ pub fn turned(angle: f64, lambda: f64) -> f64 {
 /// The elasticity of a joint of this length (m) under a tropism of this strength (1/m): `lambda = k l`.
 pub(super) fn elasticity(strength: f64, length: f64) -> f64 {
     if strength >= FULL_STRENGTH { f64::INFINITY } else { strength * length }
+}
+
+/// The rotation vector that turns a direction in space towards another with this elasticity, in the plane of the two
+/// (equation 73): no turn where they point exactly away from each other.
+pub(super) fn turn_towards(from: DVec3, sought: DVec3, lambda: f64) -> DVec3 {
+    let across = from.cross(sought);
+    let (sin, cos) = (across.length(), from.dot(sought));
+    if sin == 0.0 {
+        return DVec3::ZERO;
+    }
+    let away = libm::atan2(sin, cos);
+    across * ((away - turned(away, lambda)) / sin)
 }

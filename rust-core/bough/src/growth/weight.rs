@@ -3,7 +3,9 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::pull::act;
+use glam::DVec3;
+
+use super::pull::{act, act_in_space, into_plane};
 use super::state::{Growth, State};
 use crate::mechanics::{GROUND, Loads, pass_down};
 use crate::params::{Discretization, Thickening};
@@ -29,25 +31,26 @@ impl Growth {
                 }
             }
         }
-        for axis in self.state.axes.iter().filter(|axis| !axis.forked && axis.segments > 0) {
+        for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
             lumped[axis.bearer as usize] += self.params.loads.tip_mass;
         }
         lumped
     }
 
-    /// Puts all loads on the present plant, in the frame of the base direction; those before are kept aside.
+    /// Puts all loads on the present plant; those before are kept aside.
     pub(super) fn weigh(&mut self) {
         core::mem::swap(&mut self.state.loads, &mut self.before);
+        core::mem::swap(&mut self.state.force, &mut self.force_before);
         let rods = self.rods();
         let params = &self.params;
-        let State { step, linkage, loads, pipes, axes, .. } = &mut self.state;
+        let State { step, linkage, loads, force, pipes, axes, .. } = &mut self.state;
         let Loads { x, y } = loads;
         for array in [&mut *x, &mut *y] {
             array.clear();
             array.resize(rods, 0.0);
         }
         // Until its turn, the x of a rod holds the mass beyond it.
-        for axis in axes.iter().filter(|axis| !axis.forked && axis.segments > 0) {
+        for axis in axes.iter().filter(|axis| axis.is_tip()) {
             x[axis.bearer as usize] += params.loads.tip_mass;
         }
         // Without thickening every rod has one pipe: none more in any step.
@@ -58,7 +61,9 @@ impl Growth {
         let share = if params.solver.discretization == Discretization::Paper { 1.0 } else { 0.5 };
         let (sin, cos) = params.axis.elevation.sin_cos();
         let gravity = params.loads.gravity;
-        let (down_x, down_y) = (-gravity * sin, -gravity * cos);
+        // In space the loads' x alone is used, for the weight beyond each rod.
+        let (down_x, down_y) =
+            if self.is_spatial { (-gravity, 0.0) } else { (-gravity * sin, -gravity * cos) };
         // From the tips down: each rod bears what is beyond it and its own share; its parent bears all of it.
         let mut passed = 0.0;
         let (parent, since, first) = (&linkage.parent[..rods], &pipes.since[..rods], &pipes.mass[..rods]);
@@ -71,9 +76,17 @@ impl Growth {
             y[rod] = borne * down_y;
             passed = pass_down(parent[rod], rod, beyond + mass, x);
         }
-        if let Some(main) = axes.first().filter(|axis| axis.segments > 0) {
-            let [x, y, _] = params.loads.tip_force;
-            act(linkage, loads, main.bearer as usize, [x * cos + y * sin, y * cos - x * sin]);
+        if self.is_spatial {
+            force.clear();
+            force.extend(x.iter().map(|&weight| DVec3::new(0.0, weight, 0.0)));
+        }
+        if let Some(main) = axes.iter().find(|axis| axis.generation == 0 && axis.segments > 0) {
+            let (tip, pull) = (main.bearer as usize, params.loads.tip_force);
+            if self.is_spatial {
+                act_in_space(linkage, force, tip, DVec3::from_array(pull));
+            } else {
+                act(linkage, loads, tip, into_plane(params, pull));
+            }
         }
     }
 
@@ -83,7 +96,7 @@ impl Growth {
             return 0.0;
         }
         let linkage = &self.state.linkage;
-        let tips = self.state.axes.iter().filter(|axis| !axis.forked).count();
+        let tips = self.state.axes.iter().filter(|axis| axis.is_tip()).count();
         let wood: f64 = (0..linkage.len()).map(|rod| self.mass(rod)).sum();
         let weight = (wood + tips as f64 * self.params.loads.tip_mass) * self.params.loads.gravity;
         let mut reach: Vec<f64> = Vec::with_capacity(linkage.len());

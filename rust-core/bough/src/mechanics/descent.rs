@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::equilibrium::{TRUSTED_TURN, Workspace, add, balanced};
-use super::linkage::Linkage;
+use super::equilibrium::{LEAN, TRUSTED_TURN, Workspace, add, balanced};
+use super::linkage::{GROUND, Linkage};
 use super::loads::Loads;
 use super::report::{Outcome, Status};
 use crate::trigonometry::sin_cos;
@@ -11,11 +11,13 @@ use crate::trigonometry::sin_cos;
 /// Iteration limit downhill, where convergence is not quadratic until the end.
 const DESCENT_ITERATIONS: u64 = 500;
 /// Shifts of the Hessian's diagonal that are tried where it is not definite, from this one up, doubled.
-pub(super) const SMALLEST_SHIFT: f64 = 1.0 / 1024.0;
+pub(super) const SMALLEST_SHIFT: f64 = 1.0 / 1_048_576.0;
 /// With this shift the Hessian is positive definite for certain: every negative term of the load is made positive.
 pub(super) const DEFINITE: f64 = 1.0;
-/// Downhill, so many iterations without a smaller residual mean that rounding is all that is left.
+/// Downhill, so many iterations without a smaller residual mean that rounding is all that is left,
 const PATIENCE: u64 = 40;
+/// where the residual is below this share of the largest torque: on the way down from a saddle it grows first.
+const NEARLY: f64 = 1e-6;
 
 impl Workspace {
     /// Goes down in energy to a minimum: Newton where the Hessian is positive definite, with its diagonal
@@ -42,7 +44,7 @@ impl Workspace {
                 break;
             }
             previous = self.state.largest_residual();
-            since = if previous < least { 0 } else { since + 1 };
+            since = if previous < least || outcome.residual > NEARLY { 0 } else { since + 1 };
             least = least.min(previous);
             if since > PATIENCE {
                 break;
@@ -57,9 +59,9 @@ impl Workspace {
                 break;
             }
             let slope = self.state.slope(&self.increment);
-            let start = energy(linkage, loads);
-            // The energy is a sum of terms of this size, each rounded.
-            let rounding = 4.0 * f64::EPSILON * start.abs().max(slope.abs());
+            let [start, size] = energy_and_size(linkage, loads);
+            // The energy is a sum of terms of this size, each rounded; near a critical load they nearly cancel.
+            let rounding = 4.0 * f64::EPSILON * size;
             self.saved.clone_from(&linkage.deviation);
             let mut scale = f64::min(1.0, TRUSTED_TURN / turn);
             for _ in 0..40 {
@@ -77,16 +79,52 @@ impl Workspace {
     }
 }
 
+impl Workspace {
+    /// Past its critical load a straight stem is in balance and not stable. What breaks the balance in a real one is some
+    /// imperfection; here every rod that stands on the ground is pushed by [`LEAN`] first.
+    pub(super) fn lean(
+        &mut self,
+        linkage: &mut Linkage,
+        loads: &Loads,
+        tolerance: f64,
+        outcome: &mut Outcome,
+    ) {
+        self.state.evaluate(linkage, loads);
+        let rods = linkage.length.iter().zip(loads.x.iter().zip(&loads.y));
+        let reach: f64 = rods.map(|(length, (x, y))| length * (x.abs() + y.abs())).sum();
+        // What the loads bend has no side to choose.
+        if self.state.largest_torque() > 1e-6 * reach {
+            return;
+        }
+        let upright = linkage.deviation.clone();
+        let found = *outcome;
+        for (parent, deviation) in linkage.parent.iter().zip(&mut linkage.deviation) {
+            *deviation -= if *parent == GROUND { LEAN } else { 0.0 };
+        }
+        self.descend(linkage, loads, tolerance, outcome);
+        if outcome.status != Status::Converged {
+            linkage.deviation.clone_from(&upright);
+            *outcome = Outcome { iterations: outcome.iterations, ..found };
+        }
+    }
+}
+
 /// Energy of springs and loads, J; 0 for the straight chain at rest.
 pub fn energy(linkage: &Linkage, loads: &Loads) -> f64 {
+    energy_and_size(linkage, loads)[0]
+}
+
+/// The energy, and the sum of the sizes of its terms.
+fn energy_and_size(linkage: &Linkage, loads: &Loads) -> [f64; 2] {
     let mut angle = Vec::with_capacity(linkage.len());
     linkage.angles(&mut angle);
-    let mut energy = 0.0;
+    let (mut energy, mut size) = (0.0, 0.0);
     for (rod, &angle) in angle.iter().enumerate() {
         let (sin, cos) = sin_cos(angle);
         let spring = 0.5 * linkage.stiffness[rod] * linkage.deviation[rod] * linkage.deviation[rod];
         let lifted = linkage.length[rod] * (loads.x[rod] * (1.0 - cos) - loads.y[rod] * sin);
         energy += spring + lifted;
+        size += spring + lifted.abs();
     }
-    energy
+    [energy, size]
 }

@@ -29,6 +29,11 @@ const ON_THE_WAY: f64 = 1e-2;
 /// Balance of a coarser cut that is enough to start a finer one from: the cut itself leaves about as much over.
 const ENOUGH_FOR_A_START: f64 = 1e-3;
 
+/// By how much a plant that is in unstable balance is pushed at its base, radians, to the side of its azimuth (+x in the
+/// plane): the imperfection that decides where a stem past its critical height leans. Where it comes to rest does not
+/// depend on it.
+pub const LEAN: f64 = 1e-3;
+
 /// After a turn so small (radians), what is left over may be proven small instead of being evaluated,
 const PROVABLE_TURN: f64 = 1e-3;
 /// where the tolerance is far above the rounding of the linear solution,
@@ -311,6 +316,12 @@ pub fn settle(
     });
     if !balanced && !workspace.raise(linkage, before, after, expected, settings.tolerance, &mut outcome) {
         workspace.descend(linkage, after, settings.tolerance, &mut outcome);
+    }
+    if !workspace.is_spent()
+        && outcome.status == Status::Converged
+        && outcome.unstable_directions.is_some_and(|count| count > 0)
+    {
+        workspace.lean(linkage, after, settings.tolerance, &mut outcome);
     }
     if workspace.is_spent() {
         outcome.status = Status::Budget;

@@ -16,7 +16,7 @@ mod report;
 mod sweep;
 
 pub use descent::energy;
-pub use equilibrium::{Settings, Workspace, hang, polish, settle};
+pub use equilibrium::{LEAN, Settings, Workspace, hang, polish, settle};
 pub(crate) use hessian::pass_down;
 pub use hessian::{Elimination, gradient};
 pub use hold::{Held, hold};

@@ -47,7 +47,8 @@ pub struct Report {
     /// How the iteration ended; the worst of all growth steps.
     pub status: Status,
     /// Whether the final equilibrium is a minimum of energy (its Hessian is positive definite); `None` when
-    /// the shape is no equilibrium.
+    /// the shape is no equilibrium. Planar plants are looked at in their plane; rods in space tell also what would fall over
+    /// sideways.
     pub stable: Option<bool>,
     /// Torque residual of the final shape, relative to the largest external torque.
     pub residual: f64,
@@ -57,12 +58,15 @@ pub struct Report {
     pub iterations: u64,
     /// Growth steps taken.
     pub steps: u32,
-    /// First growth step whose equilibrium was not stable, if any: from there on the shape depends on chance
-    /// in a real plant (a straight column past its self-buckling height, say).
+    /// First growth step whose equilibrium was not stable, or was not found, if any: the plant at the age before is the last
+    /// stable one; from there on the shape depends on chance in a real plant.
     pub unstable_since: Option<u32>,
     /// With extrapolated stepping, the largest distance from the shape of exact stepping that is to be expected, over the
     /// length of the axis; `None` with any other stepping.
     pub stepping_error: Option<f64>,
+    /// Of an upright plant, the present loads over those at which it can no longer stand straight: above 1 it is past its
+    /// critical height, and leans to the side of its azimuth (see [`crate::mechanics::LEAN`]). `None` of any other plant.
+    pub self_buckling: Option<f64>,
     /// Weight times length squared over flexural rigidity at the base; `q = w L^3 / EI` for a uniform axis.
     pub gravity_number: f64,
 }

@@ -6,9 +6,12 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::cost::{MAX_SEGMENTS, too_large};
-use super::declaration::{ArrangementPattern, Branching, BranchingPattern, PARAMETERS, Params, Thickening};
+use super::declaration::{
+    ArrangementPattern, Branching, BranchingPattern, Method, PARAMETERS, Params, Thickening,
+};
 use super::issue::{Issue, Sentence};
 use super::parameter::{Kind, Parameter};
+use super::plane::is_spatial;
 use super::value::FORCE_WIDTH;
 
 /// Least radius of a twig, m: far below an atom's, and its fourth power is still a number.
@@ -69,12 +72,14 @@ fn problem(parameter: &Parameter, value: f64) -> Option<Issue> {
         Kind::Choice(options) => (format!("one of {}", options.join(", ")), &[value]),
         Kind::Flag => ("true or false".to_owned(), &[value]),
         Kind::Number => (format!("a number from {{}} to {{}}{unit}"), &[min, max, value]),
+        Kind::Optional => (format!("a number from {{}} to {{}}{unit}, or null"), &[min, max, value]),
         Kind::Vector | Kind::Forces => {
             (format!("three numbers, each from {{}} to {{}}{unit}"), &[min, max, value])
         }
     };
     let whole = libm::floor(value) == value;
     let code = match kind {
+        Kind::Optional if value.is_nan() => return None,
         _ if !value.is_finite() => "notFinite",
         Kind::Choice(_) | Kind::Flag if !whole || value < min || value > max => "notAnOption",
         _ if value < min || value > max => "outOfRange",
@@ -88,26 +93,15 @@ fn problem(parameter: &Parameter, value: f64) -> Option<Issue> {
 /// Combinations that the model, or the memory of the machine, does not have.
 fn unsupported(params: &Params) -> Vec<Issue> {
     let mut issues = Vec::new();
-    let z = params.loads.tip_force[2];
-    if z != 0.0 {
-        issues.push(Issue::new(
-            "unsupported",
-            "loads.tipForce",
-            z,
-            "loads.tipForce must lie in the plane of the axis, so its z must be 0; it is {}.",
-            &[z],
-            (Some(0.0), Some(0.0)),
-        ));
-    }
     let pulls = &params.loads.forces;
-    if let Some(across) = pulls.iter().map(|pull| pull.force[2]).find(|z| *z != 0.0) {
+    if is_spatial(params) && params.solver.method == Method::Euler {
         issues.push(Issue::new(
             "unsupported",
-            "loads.forces",
-            across,
-            "loads.forces must lie in the plane of the axis, so their z must be 0; one is {}.",
-            &[across],
-            (Some(0.0), Some(0.0)),
+            "solver.method",
+            1.0,
+            "solver.method must be newton for a plant that does not lie in one vertical plane: the paper's relaxation is planar.",
+            &[],
+            (None, None),
         ));
     }
     if !pulls.is_empty() && params.arrangement.pattern == ArrangementPattern::Stem {
@@ -121,17 +115,6 @@ fn unsupported(params: &Params) -> Vec<Issue> {
         ));
     }
     let forks = params.branching.pattern == BranchingPattern::Bifurcation;
-    let roll = params.branching.roll.0;
-    if forks && roll != 0.0 && roll.abs() != 180.0 {
-        issues.push(Issue::new(
-            "unsupported",
-            "branching.roll",
-            roll,
-            "branching.roll must be 0 or 180 deg, because all axes lie in one plane; it is {}.",
-            &[roll],
-            (Some(-180.0), Some(180.0)),
-        ));
-    }
     if forks && params.axis.taper == 0.0 && params.growth.thickening == Thickening::None {
         issues.push(Issue::new(
             "unsupported",

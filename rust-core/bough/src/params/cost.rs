@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 use super::declaration::{ArrangementPattern, Branching, BranchingPattern, Params, Stepping, Thickening};
 use super::issue::{Issue, Sentence};
+use super::plane::is_spatial;
 
 /// Most segments of all axes together.
 pub const MAX_SEGMENTS: f64 = 1e6;
@@ -18,7 +19,7 @@ pub const MAX_PIPES_LAID: f64 = 1e8;
 pub(crate) fn is_foreseeable(params: &Params) -> bool {
     let Params { axis, growth, branching, .. } = params;
     let even = axis.length_profile == 1.0 && (axis.taper == 1.0 || growth.thickening == Thickening::Pipes);
-    even && branching.pattern == BranchingPattern::None
+    even && branching.pattern == BranchingPattern::None && !is_spatial(params)
 }
 
 /// How many segments an axis of each generation grows to.
@@ -38,7 +39,7 @@ pub(crate) fn segments_of_generations(params: &Params) -> impl Iterator<Item = u
 fn segments(params: &Params) -> f64 {
     let copies = match params.arrangement.pattern {
         ArrangementPattern::Single => 1.0,
-        ArrangementPattern::Stem => f64::from(params.arrangement.count),
+        ArrangementPattern::Stem | ArrangementPattern::FlexibleStem => f64::from(params.arrangement.count),
     };
     let mut axes = 1.0;
     let mut sum = 0.0;
@@ -49,8 +50,23 @@ fn segments(params: &Params) -> f64 {
     copies * sum
 }
 
-/// Segments summed over all growth steps of one copy.
+/// Growth steps until the plant is full grown: of the last axis on a flexible stem, else of one plant.
+pub(crate) fn steps_of(params: &Params) -> f64 {
+    let one: f64 = segments_of_generations(params).map(f64::from).sum();
+    let arrangement = &params.arrangement;
+    match arrangement.pattern {
+        ArrangementPattern::FlexibleStem => {
+            one + (f64::from(arrangement.count) - 1.0) * f64::from(arrangement.interval)
+        }
+        _ => one,
+    }
+}
+
+/// Segments summed over all growth steps of one copy; on a flexible stem of all, at most.
 fn stepped(params: &Params) -> f64 {
+    if params.arrangement.pattern == ArrangementPattern::FlexibleStem {
+        return (segments(params) + f64::from(params.arrangement.count)) * steps_of(params);
+    }
     let generations: Vec<f64> = segments_of_generations(params).map(f64::from).collect();
     let mut later: f64 = generations.iter().sum();
     let mut axes = 1.0;
@@ -105,7 +121,9 @@ pub(super) fn too_large(params: &Params) -> Vec<Issue> {
         return Vec::new();
     }
     let pipes = params.growth.thickening == Thickening::Pipes;
-    let limit = if pipes { MAX_PIPES_LAID } else { MAX_STEPPED };
+    // In space three numbers are kept of each.
+    let kept = if is_spatial(params) { MAX_PIPES_LAID / 3.0 } else { MAX_PIPES_LAID };
+    let limit = if pipes { kept } else { MAX_STEPPED };
     if stepped(params) <= limit {
         return Vec::new();
     }

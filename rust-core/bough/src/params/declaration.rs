@@ -34,6 +34,8 @@ choice! {
         Single = "single",
         /// Copies of the plant around a straight, rigid stem, lower ones older (figures 13d and 17d).
         Stem = "stem",
+        /// Axes around a stem that grows itself, bends and twists under them.
+        FlexibleStem = "flexibleStem",
     }
 }
 
@@ -215,6 +217,34 @@ declare! {
             help: "Direction in which the axis leaves its base, above the horizontal; negative points down.",
             source: "section 3.4, figure 8",
         }
+        azimuth: Degrees {
+            path: "axis.azimuth", key: "az", symbol: "\u{3b1}_0", unit: "deg",
+            kind: Kind::Number, default: [0.0], range: -360..=360, slider: Linear -180..=180,
+            label: "Azimuth",
+            help: "Compass direction of the axis's vertical plane: its turn about the vertical, counter-clockwise seen from above.",
+            source: "past the paper: three dimensions",
+        }
+        rest_curvature: f64 {
+            path: "axis.restCurvature", key: "rc", symbol: "\u{3ba}_0", unit: "1/m",
+            kind: Kind::Number, default: [0.0], range: -1e6..=1e6, slider: Linear -10..=10,
+            label: "Built-in curvature",
+            help: "Bend of new wood before any load: the curvature that it would keep in free fall; positive bends to the upper side.",
+            source: "past the paper: three dimensions",
+        }
+        rest_curvature_roll: Degrees {
+            path: "axis.restCurvatureRoll", key: "rr", symbol: "", unit: "deg",
+            kind: Kind::Number, default: [0.0], range: -360..=360, slider: Linear -180..=180,
+            label: "Roll of the built-in curvature",
+            help: "Direction about the axis to which new wood is bent: 0 is its upper side, 90 the side that is to the right for who looks along the axis.",
+            source: "past the paper: three dimensions",
+        }
+        rest_twist: f64 {
+            path: "axis.restTwist", key: "rt", symbol: "\u{3c4}_0", unit: "1/m",
+            kind: Kind::Number, default: [0.0], range: -1e6..=1e6, slider: Linear -20..=20,
+            label: "Built-in twist",
+            help: "Twist of new wood, radians per metre, as in spiral grain: with a built-in curvature the axis grows into a helix, of radius c/(c^2 + t^2) and pitch 2 pi t/(c^2 + t^2).",
+            source: "past the paper: three dimensions",
+        }
     }
 
     /// What the wood is made of.
@@ -233,6 +263,13 @@ declare! {
             help: "Mass of the wood per volume; fresh wood is close to water.",
             source: "equations 21 to 24",
         }
+        shear_modulus_ratio: f64 {
+            path: "material.shearModulusRatio", key: "gr", symbol: "G/E", unit: "",
+            kind: Kind::Number, default: [0.1], range: 1e-6..=1e3, slider: Log 0.01..=1,
+            label: "Shear modulus ratio",
+            help: "Shear modulus over Young's modulus, which resists twisting: GJ/EI of a round section is twice this. Wood has about 0.06 to 0.12, rubber 0.33.",
+            source: "past the paper: three dimensions",
+        }
     }
 
     /// The direction that growth seeks.
@@ -243,6 +280,13 @@ declare! {
             label: "Preferred direction",
             help: "The direction the axis seeks to grow in, above the horizontal: 90 is straight up, 0 horizontal, -90 straight down.",
             source: "sections 4.1 and 5.2",
+        }
+        azimuth: Option<Degrees> {
+            path: "tropism.azimuth", key: "ta", symbol: "\u{3b1}_T", unit: "deg",
+            kind: Kind::Optional, default: [f64::NAN], range: -360..=360, slider: Linear -180..=180,
+            label: "Azimuth of the preferred direction",
+            help: "Compass direction of what is sought, the same for all axes, as light from one side; without it every axis seeks in its own vertical plane.",
+            source: "section 5.2 in three dimensions",
         }
         strength: f64 {
             path: "tropism.strength", key: "tk", symbol: "k", unit: "1/m",
@@ -305,7 +349,7 @@ declare! {
             path: "branching.roll", key: "bo", symbol: "", unit: "deg",
             kind: Kind::Number, default: [0.0], range: -180..=180, slider: Linear -180..=180,
             label: "Roll of the forks",
-            help: "Turn of each fork's plane about its parent: 0 turns the thicker child counter-clockwise, 180 the thinner one. The planar model has these two.",
+            help: "Turn of each fork's plane about its parent, from the plane of the fork before: at 0 all lie in one plane and the thicker child turns counter-clockwise, at 90 forks stand crosswise; beyond, the children change sides, so that 180 is the mirror image of 0.",
             source: "section 5.1",
         }
     }
@@ -314,9 +358,9 @@ declare! {
     arrangement: Arrangement {
         pattern: ArrangementPattern {
             path: "arrangement.pattern", key: "a", symbol: "", unit: "",
-            kind: Kind::Choice(ArrangementPattern::NAMES), default: [0.0], range: 0..=1, slider: Linear 0..=1,
+            kind: Kind::Choice(ArrangementPattern::NAMES), default: [0.0], range: 0..=2, slider: Linear 0..=2,
             label: "Arrangement",
-            help: "One plant, or copies of it around a straight, rigid stem, each in its own vertical plane, lower ones older.",
+            help: "One plant; or copies of it around a straight, rigid stem, each in its own vertical plane, lower ones older; or axes on a stem that grows itself, and bends and twists under them.",
             source: "figures 13d and 17d",
         }
         count: u32 {
@@ -347,6 +391,20 @@ declare! {
             help: "Growth steps from the start of an axis to the start of the next one above it; an axis whose time has not come is not there yet.",
             source: "figures 13d and 17d; plastochron",
         }
+        stem_radius: f64 {
+            path: "arrangement.stemRadius", key: "ar", symbol: "", unit: "m",
+            kind: Kind::Number, default: [0.01], range: 1e-7..=1e2, slider: Log 0.001..=0.1,
+            label: "Radius of the stem",
+            help: "Radius of a newly formed segment of a flexible stem (one pipe); a rigid stem is as thick as the axes above need.",
+            source: "past the paper: three dimensions",
+        }
+        stem_elevation: Degrees {
+            path: "arrangement.stemElevation", key: "ae", symbol: "", unit: "deg",
+            kind: Kind::Number, default: [90.0], range: -180..=180, slider: Linear 0..=90,
+            label: "Elevation of the stem",
+            help: "Direction in which a flexible stem leaves the ground, above the horizontal; its axes lean with it.",
+            source: "past the paper: three dimensions",
+        }
     }
 
     /// What pulls at the plant.
@@ -369,14 +427,14 @@ declare! {
             path: "loads.tipForce", key: "tf", symbol: "F", unit: "N",
             kind: Kind::Vector, default: [0.0, 0.0, 0.0], range: -1e12..=1e12, slider: Linear -5..=5,
             label: "Force at the tip",
-            help: "A force x, y, z on the tip of the main axis, acting in every growth step on the tip of that age. The planar model takes x and y; z must be 0. Around a stem, x points away from it.",
+            help: "A force x, y, z on the tip of the main axis, acting in every growth step on the tip of that age. Around a stem, x points away from it.",
             source: "equations 1 to 8",
         }
         forces: Vec<PointForce> {
             path: "loads.forces", key: "", symbol: "F", unit: "N",
             kind: Kind::Forces, default: [], range: -1e12..=1e12, slider: Linear -5..=5,
             label: "Forces on segments",
-            help: "Forces that pull at the distal ends of segments after growth, as a pointer does: a list of {segment, force: [x, y, z]}. The planar model takes x and y; z must be 0. Kept out of links.",
+            help: "Forces that pull at the distal ends of segments after growth, as a pointer does: a list of {segment, force: [x, y, z]}. Kept out of links.",
             source: "equations 1 to 8",
         }
         removed: bool {
@@ -417,6 +475,13 @@ declare! {
             label: "Stepping",
             help: "Exact brings every growth step to equilibrium; static solves the finished plant at once, its loads raised from zero, without memory of how it grew; extrapolated foresees that memory from coarser cuts of an evenly cut single axis, and says how far off that may be (other plants are grown exactly).",
             source: "section 3.4",
+        }
+        space: bool {
+            path: "solver.space", key: "sp", symbol: "", unit: "",
+            kind: Kind::Flag, default: [0.0], range: 0..=1, slider: Linear 0..=1,
+            label: "Always in space",
+            help: "Computes plants that lie in one vertical plane with rods in space, too: the same shape, more slowly. All others are computed so anyway.",
+            source: "past the paper: three dimensions",
         }
     }
 }

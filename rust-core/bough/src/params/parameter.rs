@@ -14,6 +14,8 @@ pub enum Scale {
 pub enum Kind {
     /// A real number.
     Number,
+    /// A real number, or nothing: NaN in flat form.
+    Optional,
     /// A whole number.
     Integer,
     /// One of the named options; its flat form is the option's index.

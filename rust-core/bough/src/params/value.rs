@@ -52,6 +52,15 @@ impl Value for Degrees {
     }
 }
 
+impl Value for Option<Degrees> {
+    fn read(flat: &[f64]) -> Self {
+        flat.first().filter(|number| !number.is_nan()).map(|&number| Degrees(number))
+    }
+    fn write(&self, flat: &mut Vec<f64>) {
+        flat.push(self.map_or(f64::NAN, |angle| angle.0));
+    }
+}
+
 impl Value for [f64; 3] {
     fn read(flat: &[f64]) -> Self {
         match flat {

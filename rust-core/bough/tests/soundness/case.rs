@@ -62,6 +62,8 @@ fn value(bytes: &mut Unstructured, parameter: &Parameter, place: usize, values: 
             }
             _ => number(bytes, min, max),
         },
+        // Left out: what it means in space is checked there.
+        Kind::Optional => Ok(parameter.default[place]),
         Kind::Forces => Ok(0.0),
     }
 }

@@ -13,6 +13,7 @@ pub fn check_mirrored(params: &Params) {
         *elevation = if *elevation < 0.0 { -180.0 - *elevation } else { 180.0 - *elevation };
     }
     mirrored.branching.roll.0 = 180.0 - params.branching.roll.0;
+    mirrored.axis.rest_curvature *= -1.0;
     mirrored.loads.tip_force[0] *= -1.0;
     for pull in &mut mirrored.loads.forces {
         pull.force[0] *= -1.0;

@@ -11,9 +11,7 @@ const MOST_DENSE: usize = 24;
 
 /// Panics if the plant breaks a promise.
 pub fn check_plant(plant: &Plant) {
-    check_structure(plant);
-    check_numbers(plant);
-    check_report(plant);
+    check_shape(plant);
     if !is_stem(plant) {
         let pulled = !plant.params.loads.removed;
         check_equilibrium(plant, Statics::of(plant, pulled));
@@ -22,13 +20,18 @@ pub fn check_plant(plant: &Plant) {
 
 /// As [`check_plant`], of a plant that is held: the hand's force acts even where all loads are taken off.
 pub fn check_held(plant: &Plant) {
-    check_structure(plant);
-    check_numbers(plant);
-    check_report(plant);
+    check_shape(plant);
     assert_eq!(plant.params.loads.forces.len(), 1);
     if !is_stem(plant) {
         check_equilibrium(plant, Statics::of(plant, true));
     }
+}
+
+/// As [`check_plant`], but for its statics.
+pub fn check_shape(plant: &Plant) {
+    check_structure(plant);
+    check_numbers(plant);
+    check_report(plant);
 }
 
 /// Arrays of the right lengths, indices that lead somewhere, parents before children.
@@ -67,10 +70,13 @@ fn check_direction(plant: &Plant, segment: usize, from: usize) {
     let direction = [1.0 - 2.0 * (qy * qy + qz * qz), 2.0 * (qx * qy + qz * qw), 2.0 * (qx * qz - qy * qw)];
     let to = 3 * segments.point[segment] as usize;
     let length = segments.length[segment];
+    let winding: f64 =
+        segments.curvature.iter().zip(&segments.length).map(|(bend, length)| (bend * length).abs()).sum();
     for axis in 0..3 {
         let way = points[to + axis] - points[from + axis];
-        // A dozen roundings, and those of the places' own digits.
-        let allowed = 1e-14 * (length + points[to + axis].abs() + points[from + axis].abs());
+        // A dozen roundings, and those of the places' own digits; of an axis that winds up, those of its many turns.
+        let allowed =
+            1e-14 * (1.0 + winding) * (length + points[to + axis].abs() + points[from + axis].abs());
         assert!((way - length * direction[axis]).abs() <= allowed, "segment {segment}, axis {axis}");
     }
 }

@@ -1,0 +1,335 @@
+//! Torques, energy and Hessian of rods in space, and the Hessian's elimination from the leaves to the root.
+//!
+//! Unknown is each rod's absolute turn `omega`, a rotation vector in the world's frame: `R -> exp(omega) R`. Of a joint
+//! between a bearer `p` and a rod, with `rho = omega - omega_p`, the energy is to second order
+//! `M rho - 1/2 M (omega_p x rho) + 1/2 rho A rho`: `M` is the moment, `A` the spring's Hessian, and the middle term the
+//! commutator of the two rotations, without which floppy trees do not converge. A load `F` beyond the rod's end adds
+//! `-T omega + 1/2 omega G omega` with `T = l d x F` and `G = l ((F d) 1 - sym(F d))`.
+//!
+//! The spring's energy is `1/2 kappa (|theta|^2 + (gamma - 1) sigma^2)`, `sigma` the deviation's component along the wood
+//! of the joint, `gamma = GJ / EI`. All of `M` and `A` is written with vectors in the world's frame, so that no matrix is turned.
+//!
+//! As in the plane a rod couples with its bearer only, so 3 x 3 blocks eliminated from the tips down make no fill-in, and
+//! the signs of their leading minors count the Hessian's negative eigenvalues (Sylvester).
+
+use alloc::vec::Vec;
+
+use glam::{DQuat, DVec3};
+
+use super::rotation::{Curving, exp, log, normalized};
+use super::shape::{Rods, Shape};
+use crate::mechanics::GROUND;
+
+/// A symmetric 3 x 3 matrix: xx, yy, zz, xy, xz, yz.
+pub(super) type Symmetric = [f64; 6];
+
+/// Of one rod: on the way down to it what those beyond pass on, afterwards its rows of the solution.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    /// Stiffness of what is beyond, later the first six numbers of the gain.
+    beyond: Symmetric,
+    /// Torque that the rods beyond pass on, later the last three numbers of the gain.
+    carried: DVec3,
+    /// External torque, later the rod's own step.
+    torque: DVec3,
+}
+
+const EMPTY: Block = Block { beyond: [0.0; 6], carried: DVec3::ZERO, torque: DVec3::ZERO };
+
+/// Torques at one state, and the elimination of the Hessian there. Buffers are kept between uses.
+#[derive(Clone, Debug, Default)]
+pub struct Balance {
+    /// Orientation of each rod.
+    pub orientation: Vec<DQuat>,
+    block: Vec<Block>,
+    /// By how much the last step turned each rod.
+    turn: Vec<DVec3>,
+    /// One over the pivot of each rod, if it is kept for more solutions than one.
+    pivot: Vec<Symmetric>,
+    pub(super) keeps_pivots: bool,
+    /// Energy of springs and loads, J.
+    pub energy: f64,
+    /// Sum of the sizes of the energy's terms: its rounding is a small multiple of this.
+    pub energy_size: f64,
+    /// Largest external torque about a base joint, N m.
+    pub largest_torque: f64,
+    /// Largest torque left over at a joint, N m; NaN when any is.
+    pub largest_residual: f64,
+    /// Sum of the loads' arms, each a rod long, N m.
+    reach: f64,
+    /// What rounding alone can leave over: of the springs' and of the loads' torques, N m.
+    pub round_off: f64,
+    /// How many of the Hessian's eigenvalues are not positive; 0 means stable. Of rods in a plane, for turns in that plane.
+    pub unstable: u32,
+    /// Of rods in a plane, the same for turns out of it.
+    pub unstable_sideways: u32,
+}
+
+/// What the spring of one joint does.
+pub(super) struct Spring {
+    pub(super) moment: DVec3,
+    pub(super) hessian: Symmetric,
+    energy: f64,
+}
+
+impl Spring {
+    /// `along` is the direction of the wood at the joint, in the same frame as the deviation.
+    #[inline]
+    pub(super) fn new(stiffness: f64, twist_ratio: f64, deviation: DVec3, along: DVec3) -> Self {
+        let square = deviation.length_squared();
+        let Curving { first: c, second: d } = Curving::at(square);
+        let twist = deviation.dot(along);
+        let more = twist_ratio - 1.0;
+        let across = along.cross(deviation);
+        let straight = 1.0 - c * square;
+        let axis = along * straight + across * 0.5 + deviation * (c * twist);
+        let moment = (deviation + axis * (more * twist)) * stiffness;
+        let pull = more * twist;
+        let identity = straight + pull * twist * (c - 0.25 - c * c * square);
+        let both = c + pull * twist * (2.0 * c * c + d);
+        let mixed = 0.5 * pull * (0.25 - c - square * (c * c + d));
+        let skewed = 0.5 * pull * c;
+        // With `s = mixed along + skewed across` the last two terms are `theta s + s theta`.
+        let side = along * mixed + across * skewed;
+        let entry = |a: usize, b: usize| {
+            both * deviation[a] * deviation[b]
+                + more * axis[a] * axis[b]
+                + deviation[a] * side[b]
+                + side[a] * deviation[b]
+        };
+        let hessian = [
+            stiffness * (identity + entry(0, 0)),
+            stiffness * (identity + entry(1, 1)),
+            stiffness * (identity + entry(2, 2)),
+            stiffness * entry(0, 1),
+            stiffness * entry(0, 2),
+            stiffness * entry(1, 2),
+        ];
+        Spring { moment, hessian, energy: 0.5 * stiffness * (square + more * twist * twist) }
+    }
+}
+
+/// `S v`.
+#[inline]
+fn times(s: &Symmetric, v: DVec3) -> DVec3 {
+    DVec3::new(
+        s[0] * v.x + s[3] * v.y + s[4] * v.z,
+        s[3] * v.x + s[1] * v.y + s[5] * v.z,
+        s[4] * v.x + s[5] * v.y + s[2] * v.z,
+    )
+}
+
+impl Balance {
+    /// Orientations at a state, from the ground up. O(n).
+    pub fn orient(&mut self, rods: Rods, shape: &Shape) {
+        shape.orientations(rods, &mut self.orientation);
+    }
+
+    /// Torques, energy and the eliminated Hessian at the state last oriented, with `shift` times the size of the loads' and
+    /// springs' own torques added to its diagonal: 0 is the Hessian itself. `force` is the sum of all forces at the
+    /// distal end of each rod and beyond. O(n).
+    pub fn weigh(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], shift: f64) {
+        let count = rods.len();
+        self.block.clear();
+        self.block.resize(count, EMPTY);
+        self.pivot.resize(if self.keeps_pivots { count } else { 0 }, [0.0; 6]);
+        let (mut energy, mut size) = (0.0, 0.0);
+        let (mut most_torque, mut most_residual, mut most_bent, mut loads) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
+        let (mut unstable, mut unstable_sideways) = (0, 0);
+        let (parent, length, stiffness) =
+            (&rods.parent[..count], &rods.length[..count], &rods.stiffness[..count]);
+        let (orientation, deviation) = (&self.orientation[..count], &shape.deviation[..count]);
+        let (axis, force, block) = (&shape.axis[..count], &force[..count], &mut self.block[..count]);
+        for rod in (0..count).rev() {
+            let turned = orientation[rod];
+            let along = turned * DVec3::X;
+            let bent = turned * DVec3::from_array(deviation[rod]);
+            let wood = turned * DVec3::from_array(axis[rod]);
+            let (arm, pull) = (length[rod] * along, force[rod]);
+            let Spring { moment, hessian, energy: stored } =
+                Spring::new(stiffness[rod], rods.twist_ratio, bent, wood);
+            let lifted = -arm.dot(pull);
+            energy += stored + lifted;
+            size += stored + lifted.abs();
+            let Block { mut beyond, carried, torque } = block[rod];
+            let torque = torque + arm.cross(pull);
+            let residual = moment - torque;
+            let (torque_square, residual_square) = (torque.length_squared(), residual.length_squared());
+            most_torque = if torque_square > most_torque { torque_square } else { most_torque };
+            // Written so that NaN stays.
+            most_residual = if residual_square <= most_residual { most_residual } else { residual_square };
+            let moment_square = moment.length_squared();
+            most_bent = if moment_square > most_bent { moment_square } else { most_bent };
+            loads += length[rod] * pull.length();
+            let own = -lifted;
+            let mut shifted = own;
+            if shift > 0.0 {
+                shifted += shift * (length[rod] * pull.length() + moment.length());
+            }
+            beyond[0] += shifted - arm.x * pull.x;
+            beyond[1] += shifted - arm.y * pull.y;
+            beyond[2] += shifted - arm.z * pull.z;
+            beyond[3] -= 0.5 * (arm.x * pull.y + arm.y * pull.x);
+            beyond[4] -= 0.5 * (arm.x * pull.z + arm.z * pull.x);
+            beyond[5] -= 0.5 * (arm.y * pull.z + arm.z * pull.y);
+            let [xx, yy, zz, xy, xz, yz]: Symmetric = core::array::from_fn(|i| hessian[i] + beyond[i]);
+            // The adjugate: one division instead of three that wait for each other.
+            let (c00, c01, c02) = (yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy);
+            let (c11, c12, c22) = (xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy);
+            let mut determinant = xx * c00 + xy * c01 + xz * c02;
+            if determinant == 0.0 {
+                // One rounding to the bad side: it counts as not positive.
+                determinant = -f64::EPSILON
+                    * f64::max(stiffness[rod] * stiffness[rod] * stiffness[rod], f64::MIN_POSITIVE);
+            }
+            // Signs of xx, xx yy - xy^2 and the determinant are those of the pivots' products.
+            let (first, second, third) = (xx > 0.0, c22 > 0.0, determinant > 0.0);
+            let own_unstable = u32::from(!first) + u32::from(first != second) + u32::from(second != third);
+            match rods.plane {
+                None => unstable += own_unstable,
+                Some(normal) => {
+                    // Turns in the plane and out of it do not couple.
+                    let pivot = normal.dot(times(&[xx, yy, zz, xy, xz, yz], normal));
+                    let in_plane = u32::from(pivot.is_nan() || pivot <= 0.0);
+                    unstable += in_plane;
+                    unstable_sideways += own_unstable.saturating_sub(in_plane);
+                }
+            }
+            let inverse = 1.0 / determinant;
+            let inverted = [c00, c11, c22, c01, c02, c12].map(|minor| minor * inverse);
+            let step = times(&inverted, carried - residual);
+            if self.keeps_pivots {
+                self.pivot[rod] = inverted;
+            }
+            // B = S - [M]/2, column by column, and the gain P^-1 B.
+            let half = 0.5 * moment;
+            let coupling = [
+                DVec3::new(beyond[0], beyond[3] - half.z, beyond[4] + half.y),
+                DVec3::new(beyond[3] + half.z, beyond[1], beyond[5] - half.x),
+                DVec3::new(beyond[4] - half.y, beyond[5] + half.x, beyond[2]),
+            ];
+            let gain = coupling.map(|column| times(&inverted, column));
+            if parent[rod] != GROUND {
+                let below = &mut block[parent[rod] as usize];
+                below.beyond[0] += beyond[0] - coupling[0].dot(gain[0]);
+                below.beyond[1] += beyond[1] - coupling[1].dot(gain[1]);
+                below.beyond[2] += beyond[2] - coupling[2].dot(gain[2]);
+                below.beyond[3] += beyond[3] - coupling[0].dot(gain[1]);
+                below.beyond[4] += beyond[4] - coupling[0].dot(gain[2]);
+                below.beyond[5] += beyond[5] - coupling[1].dot(gain[2]);
+                let passed = DVec3::new(coupling[0].dot(step), coupling[1].dot(step), coupling[2].dot(step));
+                below.carried += carried - passed;
+                below.torque += torque;
+            }
+            block[rod] = Block {
+                beyond: [gain[0].x, gain[0].y, gain[0].z, gain[1].x, gain[1].y, gain[1].z],
+                carried: gain[2],
+                torque: step,
+            };
+        }
+        self.energy = energy;
+        self.energy_size = size;
+        self.largest_torque = libm::sqrt(most_torque);
+        self.largest_residual = libm::sqrt(most_residual);
+        self.reach = loads;
+        self.round_off = 8.0 * f64::EPSILON * (libm::sqrt(most_bent) + loads);
+        self.unstable = unstable;
+        self.unstable_sideways = unstable_sideways;
+    }
+
+    /// Newton's step from the state last weighed, `scale` times: adds it to the deviations, turns the orientations along,
+    /// and returns the largest turn of any rod, radians. O(n).
+    pub fn advance(&mut self, rods: Rods, shape: &mut Shape, scale: f64) -> f64 {
+        let count = rods.len();
+        self.turn.resize(count, DVec3::ZERO);
+        let (parent, rest) = (&rods.parent[..count], &shape.rest[..count]);
+        let (block, turn) = (&self.block[..count], &mut self.turn[..count]);
+        let (orientation, deviation) = (&mut self.orientation[..count], &mut shape.deviation[..count]);
+        let mut largest = 0.0_f64;
+        for rod in 0..count {
+            let bearer = parent[rod];
+            let (below, base) = match bearer {
+                GROUND => (DVec3::ZERO, DQuat::IDENTITY),
+                bearer => (turn[bearer as usize], orientation[bearer as usize]),
+            };
+            let step = scale * block[rod].torque - block[rod].gain(below);
+            let step = rods.plane.map_or(step, |normal| normal * normal.dot(step));
+            let own = below + step;
+            turn[rod] = own;
+            let square = own.length_squared();
+            // Written so that NaN stays.
+            largest = if square <= largest { largest } else { square };
+            // exp(-below) exp(below + step), to third order: what the joint itself turns by.
+            let once = below.cross(step);
+            let joint = step - 0.5 * once + below.cross(once) * (1.0 / 6.0);
+            let own_frame = orientation[rod].conjugate() * joint;
+            let deviated = exp(DVec3::from_array(deviation[rod])) * exp(own_frame);
+            deviation[rod] = log(deviated).to_array();
+            orientation[rod] = normalized(base * (rest[rod] * deviated));
+        }
+        libm::sqrt(largest)
+    }
+
+    /// With pivots kept: how the rods along a path from the ground to a rod's end step for forces on that end, a
+    /// column each: from the state last weighed. O(path).
+    pub(super) fn steps_for_forces(&self, rods: Rods, path: &[usize]) -> Vec<[DVec3; 3]> {
+        let mut columns = alloc::vec![[DVec3::ZERO; 3]; path.len()];
+        let (mut arm, mut carried) = (DVec3::ZERO, [DVec3::ZERO; 3]);
+        for (place, &rod) in path.iter().enumerate().rev() {
+            arm += self.orientation[rod] * DVec3::X * rods.length[rod];
+            for (axis, carried) in carried.iter_mut().enumerate() {
+                let torque = *carried + arm.cross(DVec3::AXES[axis]);
+                let step = times(&self.pivot[rod], torque);
+                columns[place][axis] = step;
+                // B^T P^-1 r, with B = P gain.
+                *carried -= self.block[rod].gain_transposed(torque);
+            }
+        }
+        columns
+    }
+
+    /// How far the end of a path moves when its rods step so. O(path).
+    pub(super) fn moved(&self, rods: Rods, path: &[usize], step: impl Fn(usize) -> DVec3) -> DVec3 {
+        let mut turn = DVec3::ZERO;
+        path.iter().enumerate().fold(DVec3::ZERO, |moved, (place, &rod)| {
+            turn += step(place) - self.block[rod].gain(turn);
+            moved + turn.cross(self.orientation[rod] * DVec3::X * rods.length[rod])
+        })
+    }
+
+    /// Newton's own step of a rod, before its bearer's turn.
+    pub(super) fn step_mut(&mut self, rod: usize) -> &mut DVec3 {
+        &mut self.block[rod].torque
+    }
+
+    /// Largest torque left over, relative to the largest external torque; 0 where no load bends anything, as an upright stem's.
+    pub fn relative_residual(&self) -> f64 {
+        let is_rounding = self.largest_residual <= self.round_off && self.is_unbent();
+        if is_rounding { 0.0 } else { self.largest_residual / self.largest_torque }
+    }
+
+    /// Whether the loads bend nothing: no torque exceeds a millionth of the loads' arms.
+    pub fn is_unbent(&self) -> bool {
+        self.largest_torque <= 1e-6 * self.reach
+    }
+}
+
+impl Block {
+    /// The transposed of [`Block::gain`].
+    fn gain_transposed(&self, torque: DVec3) -> DVec3 {
+        let [ax, ay, az, bx, by, bz] = self.beyond;
+        let columns = [DVec3::new(ax, ay, az), DVec3::new(bx, by, bz), self.carried];
+        DVec3::from_array(columns.map(|column| column.dot(torque)))
+    }
+
+    /// Of the solution: by how much less a joint steps for its bearer's turn.
+    #[inline]
+    fn gain(&self, turn: DVec3) -> DVec3 {
+        let [ax, ay, az, bx, by, bz] = self.beyond;
+        DVec3::new(
+            ax * turn.x + bx * turn.y + self.carried.x * turn.z,
+            ay * turn.x + by * turn.y + self.carried.y * turn.z,
+            az * turn.x + bz * turn.y + self.carried.z * turn.z,
+        )
+    }
+}
