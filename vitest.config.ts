@@ -15,7 +15,8 @@ export default defineConfig({
         test: {
           // What takes too long for every check: npm run soak.
           name: "soak",
-          include: ["tests/element/**/*.soak.ts"],
+          include: ["tests/{browser,element}/**/*.soak.ts"],
+          globalSetup: "tests/browser/serve.ts",
           testTimeout: 3_600_000,
         },
       },

@@ -15,10 +15,11 @@ const flags = [
   "--disable-sync",
 ];
 
-export async function launchChromium() {
+/** @param {readonly string[]} more flags that only some need */
+export async function launchChromium(more = []) {
   const executablePath = await findBrowser();
   if (!executablePath) throw new Error("There is no Chrome or Chromium; `npm test` finds or installs one.");
   // Chromium's sandbox refuses to run as root, which containers and CI machines mostly are.
   const asRoot = process.getuid?.() === 0;
-  return chromium.launch({ executablePath, args: flags, chromiumSandbox: !asRoot });
+  return chromium.launch({ executablePath, args: [...flags, ...more], chromiumSandbox: !asRoot });
 }

@@ -11,6 +11,8 @@ import { packageFolder, root, rustCore } from "../paths.mjs";
 import { runCommand } from "../run-command.mjs";
 import { leastRust } from "../setup/rust.mjs";
 import { buildPlates, comparePlates, looks, platesFolder } from "../visual/plates.mjs";
+import { fuzz, targets } from "./fuzz.mjs";
+import { mutantShards, tryMutants } from "./mutants.mjs";
 
 /**
  * @typedef {object} Shard
@@ -42,6 +44,17 @@ export const shards = [
       return openDamagedLinks(platesFolder, 1000 * part, 1000);
     },
   })),
+  ...targets.map(([name, runs]) => ({ job: "fuzz", name, run: () => fuzz(name, runs) })),
+  ...Array.from({ length: mutantShards }, (_, shard) => ({
+    job: "mutants",
+    name: `mutants, shard ${shard} of ${mutantShards}`,
+    run: () => tryMutants(shard),
+  })),
+  ...Array.from({ length: 10 }, (_, part) => ({
+    job: "walks",
+    name: `10,000 random actions, seed ${100 + part}`,
+    run: () => walkAbout(100 + part),
+  })),
   ...looks.map((look) => ({
     job: "visual",
     name: `every preset, ${look.screen} and ${look.theme}`,
@@ -62,11 +75,23 @@ async function memory() {
 
 async function widgets() {
   await buildSite();
-  const soak = [...nodeCommand("vitest"), "run", "--project", "soak"];
+  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/element"];
   const printed = await runCommand("widgets and frames", soak, { limit: 7200, env: { NO_COLOR: "1" } });
   return printed
     .split("\n")
     .filter((line) => /at once|nodes, /.test(line))
+    .join("\n");
+}
+
+/** @param {number} seed */
+async function walkAbout(seed) {
+  await buildSite();
+  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/browser"];
+  const env = { NO_COLOR: "1", BOUGH_SEED: String(seed), BOUGH_ACTIONS: "10000" };
+  const printed = await runCommand(`random actions, seed ${seed}`, soak, { limit: 7200, env });
+  return printed
+    .split("\n")
+    .filter((line) => /^seed \d+: /.test(line))
     .join("\n");
 }
 

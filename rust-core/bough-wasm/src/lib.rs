@@ -116,6 +116,17 @@ impl History {
         self.0.seek(step, budget as u64)
     }
 
+    /// Goes towards `step`, but never beyond this work, in iterations times segments; whether it was reached.
+    pub fn reach(&mut self, step: u32, work: f64) -> bool {
+        self.0.reach(step, work as u64)
+    }
+
+    /// How much of the work of growth it takes again to make the plant of it.
+    #[wasm_bindgen(getter)]
+    pub fn remaking(&self) -> f64 {
+        self.0.remaking()
+    }
+
     /// The plant at the present step with a segment's end held at a place; nothing when it cannot be.
     pub fn hold(&mut self, segment: u32, x: f64, y: f64, z: f64) -> Option<Plant> {
         self.0.hold(segment, [x, y, z]).map(Plant)

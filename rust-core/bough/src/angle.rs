@@ -14,6 +14,11 @@ impl Degrees {
         self.0 * (PI / 180.0)
     }
 
+    /// The same direction from -180 to 180 degrees; exact.
+    pub fn wrapped(self) -> Self {
+        Degrees(libm::remainder(self.0, 360.0))
+    }
+
     /// Sine and cosine, exact at the multiples of 90 degrees and exactly mirrored between quadrants.
     ///
     /// A vertical axis thus feels exactly no torque from its weight, and the plant at elevation 180 - e is

@@ -66,6 +66,10 @@ fn valid_flat() -> impl Strategy<Value = Vec<f64>> {
             params.arrangement.count = params.arrangement.count.min(4);
             params.arrangement.interval %= 5;
         }
+        for refusal in bough::params::check(&params) {
+            assert_eq!(refusal.path, "branching.generations");
+            params.branching.generations = refusal.max.unwrap() as u32;
+        }
         params.to_flat()
     })
 }

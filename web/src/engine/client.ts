@@ -7,6 +7,7 @@ import type { Plant } from "../plant/plant.ts";
 import type { Engine, PlantOptions } from "./engine.ts";
 import { CoreError, LoadError, LostError } from "./failure.ts";
 import type { Grip, Reply, Request } from "./protocol.ts";
+import { milliseconds } from "./stint.ts";
 
 /** A way to a session. */
 export interface Line {
@@ -62,7 +63,9 @@ export class Client implements Engine {
   }
 
   async plant(params: ParamsInput, step: number | null = null, options: PlantOptions = {}): Promise<Plant> {
-    const { reply, params: whole } = await this.#grow(params, { step }, options);
+    const { deadline } = options;
+    const wanted = deadline === undefined ? { step } : { step, deadline: milliseconds(deadline) };
+    const { reply, params: whole } = await this.#grow(params, wanted, options);
     if (reply.kind !== "shape") throw new CoreError("The session answered another question.");
     return { ...reply.shape, params: whole, version };
   }
@@ -85,7 +88,7 @@ export class Client implements Engine {
   /** Asks for a plant; nothing but the newest such request is answered. */
   async #grow(
     params: ParamsInput,
-    wanted: { step: number | null; grip?: Grip },
+    wanted: { step: number | null; grip?: Grip; deadline?: number },
     { signal, onProgress }: PlantOptions,
   ): Promise<{ reply: Exclude<Result, { kind: "issues" }>; params: Params }> {
     signal?.throwIfAborted();

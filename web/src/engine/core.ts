@@ -104,6 +104,19 @@ export class History {
     return this.#call((handle) => handle.seek(Math.min(Math.max(step, 1), handle.steps), budget));
   }
 
+  /**
+   * As `seek`, but never beyond this work, in iterations times segments: a step that needs more is given up, and the plant is
+   * that of the last finished one, with the status "budget".
+   */
+  reach(step: number, work: number): boolean {
+    return this.#call((handle) => handle.reach(Math.min(Math.max(step, 1), handle.steps), work));
+  }
+
+  /** How much of the work of growth it takes again to make the plant of it. */
+  get remaking(): number {
+    return this.#call((handle) => handle.remaking);
+  }
+
   /** The plant at the step that growth stands at. */
   shape(): Shape {
     return this.#call((handle) => copied(handle.plant()));

@@ -16,6 +16,11 @@ export interface PlantOptions {
   signal?: AbortSignal;
   /** Is told the share of the work that is done, 0 to 1; not called for plants that take but a moment. */
   onProgress?: (share: number) => void;
+  /**
+   * Time that growing may take, ms, from when the request's turn comes. A plant that is not finished then is that of the last
+   * finished step, and its report says `"budget"`. Does not bear on `hold`.
+   */
+  deadline?: number;
 }
 
 /** Computes plants. The worker and the in-thread engine behave alike. */

@@ -6,8 +6,15 @@ import type { Held, Shape } from "./core.ts";
 /** From the client. Params are in flat form; `id` names the request in the replies to it. */
 export type Request =
   | { kind: "check"; id: number; flat: Float64Array<ArrayBuffer> }
-  /** Ends every earlier "plant", which is not replied to any more. A step of null is the last one. */
-  | { kind: "plant"; id: number; flat: Float64Array<ArrayBuffer>; step: number | null; grip?: Grip }
+  /** Ends every earlier "plant", which is not replied to any more. A step of null is the last one; a deadline is in ms. */
+  | {
+      kind: "plant";
+      id: number;
+      flat: Float64Array<ArrayBuffer>;
+      step: number | null;
+      grip?: Grip;
+      deadline?: number;
+    }
   /** Ends the "plant" of this id. */
   | { kind: "cancel"; id: number };
 

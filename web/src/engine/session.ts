@@ -1,6 +1,7 @@
 /** Grows plants on request, in slices short enough that its thread stays responsive. */
 import { check, History } from "./core.ts";
 import { type Answer, buffersOf, type Request } from "./protocol.ts";
+import { Stint } from "./stint.ts";
 import { nextTurn } from "./turn.ts";
 
 /** How long one slice should take, ms: two of them fit into a frame of 60 Hz. */
@@ -54,13 +55,14 @@ export class Session {
   }
 
   async #grow(request: PlantRequest): Promise<void> {
-    const { id, flat, step, grip } = request;
+    const { id, flat, step, grip, deadline } = request;
     if (this.#newest !== id) return;
     const issues = check(flat);
     if (issues.length > 0) return this.#answer({ kind: "issues", id, issues }, []);
     const history = this.#historyOf(flat);
     const wanted = Math.min(step ?? history.steps, history.steps);
-    while (!this.#slice(history, wanted)) {
+    const stint = deadline === undefined ? null : new Stint(deadline);
+    while (stint ? stint.go(history, wanted) === "onTheWay" : !this.#slice(history, wanted)) {
       // A step costs its number of segments; along one axis the work grows with the square of the steps.
       this.#answer({ kind: "progress", id, share: (history.step / wanted) ** 2 }, []);
       await nextTurn();

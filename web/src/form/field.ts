@@ -5,7 +5,6 @@ import type { Parameter, Value, Vector } from "../params/declaration.ts";
 import type { Issue } from "../params/issue.ts";
 import { sameValue } from "../params/params.ts";
 import type { Entry } from "./entry.ts";
-import type { Equation } from "./equations.ts";
 import { quantityText, read, unitText } from "./quantity.ts";
 import { slide } from "./slide.ts";
 import { travelOf } from "./travel.ts";
@@ -38,7 +37,7 @@ export class BoughField extends LitElement {
   declare entered: Value | undefined;
   declare explained: boolean;
   /** The equation that the parameter enters, once help was wanted and if there is one. */
-  declare equation: Equation | undefined;
+  declare equation: { readonly caption: string; readonly picture: unknown } | undefined;
 
   constructor() {
     super();
@@ -112,14 +111,15 @@ export class BoughField extends LitElement {
 
   #equation(): TemplateResult | typeof nothing {
     if (!this.equation) return nothing;
-    const { caption, mathml } = this.equation;
-    return html`<figure><figcaption>${caption}</figcaption><div .innerHTML=${mathml}></div></figure>`;
+    const { caption, picture } = this.equation;
+    return html`<figure><figcaption>${caption}</figcaption><div>${picture}</div></figure>`;
   }
 
   #explain(): void {
     this.explained = !this.explained;
-    void import("./equations.ts").then(({ equations }) => {
-      this.equation = equations[this.parameter.path];
+    void import("./equations.ts").then(({ drawn, equations }) => {
+      const equation = equations[this.parameter.path];
+      this.equation = equation && { caption: equation.caption, picture: drawn(equation) };
     });
   }
 

@@ -1,5 +1,6 @@
 /** What every entry of the package offers, once the wasm is loaded. */
 import { History as CoreHistory, check as checkFlat, relaxation as coreRelaxation } from "../engine/core.ts";
+import { milliseconds, Stint } from "../engine/stint.ts";
 import { version } from "../params/declaration.ts";
 import { allIssues, type Examination, examined } from "../params/examination.ts";
 import { BoughError, type Issue } from "../params/issue.ts";
@@ -32,12 +33,33 @@ export function check(params: unknown): Issue[] {
  * wherever they are grown.
  * @throws {BoughError} listing every problem, if no plant can be grown from these params
  */
-export function grow(params: ParamsInput): Plant {
+export function grow(params: ParamsInput, { deadline }: GrowOptions = {}): Plant {
+  if (deadline !== undefined) return grownUntil(passed(params), milliseconds(deadline));
   const ages = history(params);
   try {
     return ages.at(ages.steps);
   } finally {
     ages.dispose();
+  }
+}
+
+/** What `grow` may be given beside the params. */
+export interface GrowOptions {
+  /**
+   * Time that growing may take, ms. A plant that is not finished then is that of the last finished step, and its report says
+   * `"budget"`; it has no segments if not even the first step was finished.
+   */
+  deadline?: number;
+}
+
+function grownUntil({ params, flat }: Examination, deadline: number): Plant {
+  const core = new CoreHistory(flat);
+  try {
+    const stint = new Stint(deadline);
+    while (stint.go(core, core.steps) === "onTheWay") {}
+    return { ...core.shape(), params, version };
+  } finally {
+    core.free();
   }
 }
 

@@ -67,7 +67,8 @@ interface Declaration {
   presets: readonly (Preset & { id: string })[];
 }
 
-const declared = declaration as Declaration;
+// Defaults and presets become parts of the params of plants, which users may write to: not to these.
+const declared = frozen(declaration as Declaration);
 
 /** Version of the core that was declared with. */
 export const version: string = declared.version;
@@ -83,8 +84,8 @@ export const declaredParameters: readonly (Omit<Parameter, "default"> & { defaul
 export const parameters: readonly Parameter[] = declared.parameters.filter(({ kind }) => kind !== "forces");
 
 /** All presets by id, in the order in which they are shown. */
-export const presets: Readonly<Record<string, Preset>> = Object.fromEntries(
-  declared.presets.map(({ id, ...preset }) => [id, preset]),
+export const presets: Readonly<Record<string, Preset>> = frozen(
+  Object.fromEntries(declared.presets.map(({ id, ...preset }) => [id, preset])),
 );
 
 const byPath = new Map(declared.parameters.map((parameter) => [parameter.path, parameter]));
@@ -103,4 +104,10 @@ export function presetNamed(id: string): Preset | undefined {
 export function groupAndField(path: string): [group: string, field: string] {
   const [group = "", field = ""] = path.split(".", 2);
   return [group, field];
+}
+
+/** A value that nobody can change any more, down to the last part. */
+function frozen<Declared>(value: Declared): Declared {
+  if (typeof value === "object" && value !== null) Object.values(Object.freeze(value)).forEach(frozen);
+  return value;
 }

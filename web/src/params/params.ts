@@ -23,8 +23,9 @@ export function assemble(valueFor: (parameter: Declared) => AnyValue): Params {
   const groups: Groups = {};
   for (const parameter of declaredParameters) {
     const [group, field] = groupAndField(parameter.path);
-    groups[group] ??= {};
-    groups[group][field] = valueFor(parameter);
+    // Own names only: whatever a page has put on all objects is no group.
+    if (!Object.hasOwn(groups, group)) groups[group] = {};
+    (groups[group] as Groups[string])[field] = valueFor(parameter);
   }
   return groups as unknown as Params;
 }

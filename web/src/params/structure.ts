@@ -128,7 +128,8 @@ function parsed({ kind, options = [] }: Declared, given: unknown): AnyValue | un
 function forces(given: unknown): PointForce[] | undefined {
   try {
     if (!Array.isArray(given)) return undefined;
-    const read = given.map((one: unknown): PointForce | undefined => {
+    // A hole in the list is a value, too.
+    const read = Array.from(given, (one: unknown): PointForce | undefined => {
       const { segment, force } = Object(one) as { segment?: unknown; force?: unknown };
       const components = vector(force);
       return typeof segment === "number" && components

@@ -184,7 +184,8 @@ impl Growth {
         }
         let tropism = &self.params.tropism;
         let elevation = sought_in_plane(&self.params).unwrap_or(tropism.elevation);
-        let sought = Degrees(elevation.0 - self.params.axis.elevation.0).radians();
+        // The nearer way round in degrees, where that is exact: so left and right are mirrored to the bit.
+        let sought = Degrees(elevation.0 - self.params.axis.elevation.0).wrapped().radians();
         let away = wrap(self.direction(bearer) + turn - sought);
         turned(away, elasticity(tropism.strength, length)) - away
     }

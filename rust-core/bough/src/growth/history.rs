@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use super::pull::Grip;
 use super::state::{Growth, STRIDE, State};
 use super::stem;
+use crate::mechanics::Status;
 use crate::params::{Arrangement, ArrangementPattern, BoughError, Params, PointForce, copies_differ};
 use crate::plant::Plant;
 
@@ -52,6 +53,8 @@ pub struct History {
     checkpoints: Vec<State>,
     interval: u32,
     grip: Option<Grip>,
+    /// Whether the last way ended before its aim.
+    is_stopped: bool,
     /// Around a rigid stem, the copies that differ by more than their age and azimuth, each grown alone.
     alone: Vec<History>,
 }
@@ -70,7 +73,7 @@ impl History {
         let kept = (CHECKPOINT_BYTES / state.max(1)).clamp(1, MOST_CHECKPOINTS);
         let interval = growth.steps().div_ceil(kept as u32).next_multiple_of(STRIDE);
         let checkpoints = vec![growth.state.clone()];
-        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None, alone })
+        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None, is_stopped: false, alone })
     }
 
     /// How many growth steps there are.
@@ -95,11 +98,18 @@ impl History {
     /// The plant at the step that growth stands at; around a stem, its copies of all ages up to that.
     pub fn plant(&mut self) -> Plant {
         self.grip = None;
-        if self.growth.params.arrangement.pattern != ArrangementPattern::Stem {
-            return self.growth.plant();
+        let is_stopped = self.is_stopped;
+        let mut plant = if self.growth.params.arrangement.pattern != ArrangementPattern::Stem {
+            self.growth.plant()
+        } else {
+            let copies = self.copies();
+            stem::around(&self.growth.params, &copies)
+        };
+        if is_stopped {
+            plant.report.status = plant.report.status.max(Status::Budget);
+            self.is_stopped = true;
         }
-        let copies = self.copies();
-        stem::around(&self.growth.params, &copies)
+        plant
     }
 
     /// The copies around a stem at the step that growth stands at, from the oldest, lowest one up.
@@ -187,6 +197,7 @@ impl History {
     /// was reached. Lets a host stay responsive: call again to go on.
     pub fn seek(&mut self, step: u32, budget: u64) -> bool {
         let step = step.clamp(1, self.steps());
+        self.is_stopped = false;
         let taken = self.growth.steps_taken();
         if taken > step || (taken == step && self.growth.is_underway()) {
             let checkpoint = (step / self.interval) as usize;
@@ -204,6 +215,51 @@ impl History {
             self.keep();
         }
         true
+    }
+
+    /// As [`History::seek`], but never goes on beyond its `work`, counted in iterations times segments: a step that needs more is
+    /// given up, and growth stands at the last finished one, with [`Status::Budget`] in the report of its plant. What is
+    /// grown later is the same to the last bit.
+    pub fn reach(&mut self, step: u32, work: u64) -> bool {
+        let step = step.clamp(1, self.steps());
+        // Backwards there is a checkpoint to start from; the rest is forwards.
+        if self.growth.steps_taken() > step || self.growth.is_underway() {
+            self.seek(step.min(self.growth.steps_taken()), 0);
+        }
+        let mut left = work;
+        while self.growth.steps_taken() < step {
+            let (state, laid) = (self.growth.state.clone(), self.growth.laid.len());
+            let workspace = self.growth.workspace.clone();
+            let in_space = self.growth.workspace_in_space.clone();
+            let taken = self.growth.steps_taken();
+            self.growth.workspace.allowance = Some(left);
+            let mut steps_left = left;
+            let goes_on = self.growth.work(step, &mut steps_left);
+            let unspent = self.growth.workspace.allowance.take().unwrap_or_default();
+            if !goes_on {
+                break;
+            }
+            // Static stepping begins anew, at no steps taken.
+            if self.growth.steps_taken() <= taken {
+                self.growth.return_to(&state, laid);
+                self.growth.workspace = workspace;
+                self.growth.workspace_in_space = in_space;
+                self.is_stopped = true;
+                return false;
+            }
+            left = u64::min(unspent, steps_left);
+            self.keep();
+        }
+        self.is_stopped = false;
+        true
+    }
+
+    /// How much of the work of growth it takes again to make the plant of it: the copies around a stem are grown anew.
+    pub fn remaking(&self) -> f64 {
+        match self.growth.params.arrangement.pattern {
+            ArrangementPattern::Single | ArrangementPattern::FlexibleStem => 0.03,
+            ArrangementPattern::Stem => 1.0,
+        }
     }
 
     /// Keeps what is new at this step: where the record of pipes ends, and a checkpoint now and then.

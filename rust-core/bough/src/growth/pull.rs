@@ -56,25 +56,29 @@ impl Growth {
         }
         let rod = self.rod_of(segment)?;
         let settings = Settings { tolerance: self.params.solver.tolerance };
+        let mut loads = self.state.loads.clone();
+        if self.params.loads.removed {
+            loads = Loads::none(self.rods());
+        }
         let (mut linkage, start) = match grip {
             Some(Grip::Plane { segment: own, linkage, held })
                 if own == segment && linkage.len() == self.rods() =>
             {
                 (linkage, held.force)
             }
-            _ => (self.state.linkage.clone(), [0.0; 2]),
+            _ => (self.shown(), [0.0; 2]),
         };
         let local = into_plane(&self.params, place);
-        let held = hold(&mut linkage, &self.state.loads, rod, local, start, settings);
+        let held = hold(&mut linkage, &loads, rod, local, start, settings);
         if held.outcome.status != Status::Converged {
             return None;
         }
         let force = out_of_plane(&self.params, held.force);
-        let mut loads = self.state.loads.clone();
         act(&linkage, &mut loads, rod, held.force);
         let mut elimination = Elimination::default();
         elimination.evaluate(&linkage, &loads);
-        let stable = Some(elimination.eliminate(&linkage, 0.0) == 0);
+        let grown = self.state.report.status == Status::Converged;
+        let stable = grown.then(|| elimination.eliminate(&linkage, 0.0) == 0);
         let iterations = self.state.report.iterations + held.outcome.iterations;
         let report = Report {
             residual: held.outcome.residual,

@@ -79,7 +79,7 @@ pub struct Growth {
     pub(super) force_before: Vec<DVec3>,
     /// How the deviations are expected to change; a buffer, like the next.
     pub(super) guess: Vec<f64>,
-    workspace: Workspace,
+    pub(super) workspace: Workspace,
     pub(super) workspace_in_space: space::Workspace,
 }
 
@@ -264,6 +264,9 @@ impl Growth {
                 trend.expect(&mut self.guess);
                 let outcome =
                     settle(linkage, &self.before, loads, &self.guess, settings, &mut self.workspace);
+                if outcome.status == Status::Budget {
+                    return;
+                }
                 trend.note(&self.workspace.start, &linkage.deviation);
                 *budget = budget.saturating_sub(self.rods() as u64);
                 outcome
@@ -338,17 +341,25 @@ impl Growth {
         Relaxation::new(self.state.linkage, self.state.loads, masses)
     }
 
+    /// The linkage, without its loads where they are taken off.
+    pub(super) fn shown(&self) -> Linkage {
+        let mut linkage = self.state.linkage.clone();
+        if self.params.loads.removed {
+            // Without load every joint goes to its rest angle: that is the equilibrium, exactly.
+            linkage.deviation.fill(0.0);
+        }
+        linkage
+    }
+
     /// The plant as it stands. O(n), and with pipes O(n steps) for the stress.
     pub fn plant(&self) -> Plant {
         if self.is_spatial {
             return self.plant_in_space();
         }
-        let mut linkage = self.state.linkage.clone();
+        let mut linkage = self.shown();
         let mut report = self.state.report;
         let mut loads = self.state.loads.clone();
         if self.params.loads.removed {
-            // Without load every joint goes to its rest angle: that is the equilibrium, exactly.
-            linkage.deviation.fill(0.0);
             loads = Loads::none(linkage.len());
             report.residual = 0.0;
         }

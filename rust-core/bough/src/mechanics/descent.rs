@@ -40,6 +40,9 @@ impl Workspace {
                 outcome.status = Status::Converged;
                 return;
             }
+            if !self.may_iterate(linkage) {
+                break;
+            }
             previous = self.state.largest_residual();
             since = if previous < least || outcome.residual > NEARLY { 0 } else { since + 1 };
             least = least.min(previous);

@@ -38,7 +38,7 @@ pub const LEAN: f64 = 1e-3;
 const PROVABLE_TURN: f64 = 1e-3;
 /// where the tolerance is far above the rounding of the linear solution,
 const PROVABLE_TOLERANCE: f64 = 1e-12;
-/// and the proven bound far below the tolerance: it is relative to the largest torque before that turn.
+/// and the proven bound far below the tolerance.
 const PROVABLE_SHARE: f64 = 0.5;
 
 /// What counts as equilibrium.
@@ -58,6 +58,8 @@ pub struct Workspace {
     pub(super) saved: Vec<f64>,
     turn: Vec<f64>,
     partial: Loads,
+    /// Iterations times rods that a search may still take before it is given up; no limit if there is none.
+    pub(crate) allowance: Option<u64>,
     /// For a coarser cut of the same chain.
     coarser: Option<Box<(Coarse, Workspace)>>,
 }
@@ -70,8 +72,8 @@ enum Attempt {
 
 /// Bound of the torque that is left over after a step of Newton's method that turned no rod by more than `turn`: what a
 /// load's torque `t` on a rod has beyond its linear part is `t (cos u - 1) - h (sin u - u)`, with `t` and `h` at
-/// most length times force (Taylor).
-fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> f64 {
+/// most length times force (Taylor). And bound of the torque that such a turn takes away.
+fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> (f64, f64) {
     let rods = linkage.len();
     let (length, x, y) = (&linkage.length[..rods], &loads.x[..rods], &loads.y[..rods]);
     let mut sums = [0.0_f64; 4];
@@ -82,7 +84,8 @@ fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> f64 {
         }
     }
     let rest: f64 = (whole..rods).map(|rod| length[rod] * (x[rod].abs() + y[rod].abs())).sum();
-    (sums.iter().sum::<f64>() + rest) * turn * turn * (0.5 + turn / 6.0)
+    let load = sums.iter().sum::<f64>() + rest;
+    (load * turn * turn * (0.5 + turn / 6.0), load * turn)
 }
 
 /// Whether the torques just evaluated are balanced, and the relative residual.
@@ -92,7 +95,7 @@ fn remainder(linkage: &Linkage, loads: &Loads, turn: f64) -> f64 {
 pub(super) fn balanced(state: &Elimination, linkage: &Linkage, tolerance: f64, previous: f64) -> (bool, f64) {
     let torque = state.largest_torque();
     let left = state.largest_residual();
-    let relative = if left == 0.0 { 0.0 } else { left / torque };
+    let relative = state.relative_residual();
     let stalled = left >= 0.5 * previous && left <= state.round_off(linkage);
     (left <= tolerance * torque || stalled, relative)
 }
@@ -101,6 +104,27 @@ impl Workspace {
     /// Takes no advantage of the state that was evaluated last: from here on the same bits follow, whatever was before.
     pub(crate) fn forget(&mut self) {
         self.state.forget();
+    }
+
+    /// Whether the allowance has one more iteration, which is taken off it.
+    pub(super) fn may_iterate(&mut self, linkage: &Linkage) -> bool {
+        let rods = linkage.len() as u64;
+        match &mut self.allowance {
+            None => true,
+            Some(left) if *left >= rods => {
+                *left -= rods;
+                true
+            }
+            Some(left) => {
+                *left = 0;
+                false
+            }
+        }
+    }
+
+    /// Whether the search was given up.
+    fn is_spent(&self) -> bool {
+        self.allowance == Some(0)
     }
 
     /// Newton's method from the present state. `limit` bounds the sum of the largest turns. A linkage whose state is
@@ -129,6 +153,9 @@ impl Workspace {
                 }
                 return Attempt::Converged(turned);
             }
+            if !self.may_iterate(linkage) {
+                return Attempt::Distrusted(turned);
+            }
             previous = self.state.largest_residual();
             let unstable;
             (unstable, turn) = self.state.newton(linkage);
@@ -140,8 +167,9 @@ impl Workspace {
                 return Attempt::Distrusted(turned);
             }
             if turn <= PROVABLE_TURN && tolerance >= PROVABLE_TOLERANCE {
-                let torque = self.state.largest_torque();
-                let bound = remainder(linkage, loads, turn);
+                let (bound, lost) = remainder(linkage, loads, turn);
+                // The torques are those of before the turn, which may have taken most of them away.
+                let torque = (self.state.largest_torque() - lost).max(0.0);
                 if bound <= PROVABLE_SHARE * tolerance * torque {
                     // Without any load both are 0.
                     outcome.residual = if bound == 0.0 { 0.0 } else { bound / torque };
@@ -208,7 +236,7 @@ impl Workspace {
         let mut last_part = f64::INFINITY;
         self.increment.clear();
         let mut parts = 0;
-        while share < 1.0 && part > SMALLEST_SHARE && parts < MOST_PARTS {
+        while share < 1.0 && part > SMALLEST_SHARE && parts < MOST_PARTS && !self.is_spent() {
             parts += 1;
             let next = f64::min(1.0, share + part);
             let tolerance = if next < 1.0 { f64::max(tolerance, ON_THE_WAY) } else { tolerance };
@@ -254,7 +282,7 @@ pub(super) fn add(deviation: &mut [f64], increment: &[f64], scale: f64) {
 /// `guess` is by how much the first deviations are expected to change, from whatever is known; a good one saves
 /// iterations, a bad one is dropped.
 ///
-/// On [`Status::NonFinite`] the linkage is left as it was.
+/// On [`Status::NonFinite`] and [`Status::Budget`] the linkage is left as it was.
 pub fn settle(
     linkage: &mut Linkage,
     before: &Loads,
@@ -289,10 +317,16 @@ pub fn settle(
     if !balanced && !workspace.raise(linkage, before, after, expected, settings.tolerance, &mut outcome) {
         workspace.descend(linkage, after, settings.tolerance, &mut outcome);
     }
-    if outcome.status == Status::Converged && outcome.unstable_directions.is_some_and(|count| count > 0) {
+    if !workspace.is_spent()
+        && outcome.status == Status::Converged
+        && outcome.unstable_directions.is_some_and(|count| count > 0)
+    {
         workspace.lean(linkage, after, settings.tolerance, &mut outcome);
     }
-    if outcome.status == Status::NonFinite {
+    if workspace.is_spent() {
+        outcome.status = Status::Budget;
+    }
+    if matches!(outcome.status, Status::NonFinite | Status::Budget) {
         linkage.deviation.clone_from(&start);
     }
     workspace.start = start;

@@ -106,6 +106,7 @@ impl Elimination {
     /// Lets [`Elimination::follow`] start anew.
     pub(super) fn forget(&mut self) {
         self.angle.clear();
+        self.turns_taken = 0;
     }
 
     /// Torques and residuals from sines and cosines.
@@ -147,9 +148,25 @@ impl Elimination {
         self.largest_residual
     }
 
-    /// Largest torque left over, relative to the largest external torque; 0 without load.
+    /// Largest torque left over, relative to the largest external torque; 0 without load. Where the loads' torques cancel
+    /// (a hair that is pulled straight), it is relative to the smallest torque that can be told from 0.
     pub fn relative_residual(&self) -> f64 {
-        if self.largest_residual == 0.0 { 0.0 } else { self.largest_residual / self.largest_torque }
+        if self.largest_residual <= self.largest_torque {
+            // Without load both are 0.
+            return if self.largest_residual == 0.0 {
+                0.0
+            } else {
+                self.largest_residual / self.largest_torque
+            };
+        }
+        self.largest_residual / self.largest_torque.max(self.resolution())
+    }
+
+    /// Torque that rounding of the loads' own terms, and of the angles in them, makes, N m: where these terms cancel, those of
+    /// the Hessian are as large.
+    fn resolution(&self) -> f64 {
+        let terms = self.geometric.iter().zip(&self.angle);
+        f64::EPSILON * terms.map(|(term, angle)| term.abs() * (1.0 + angle.abs())).sum::<f64>()
     }
 
     /// Newton's step from the last evaluated state: adds its increment to every deviation. Returns how many pivots are not
@@ -183,7 +200,7 @@ impl Elimination {
         (not_positive, largest)
     }
 
-    /// Residual that round-off alone can leave: the torques that springs make of one rounding of an angle.
+    /// Residual that round-off alone can leave: the torques that springs make of one rounding of an angle, and loads of theirs.
     pub fn round_off(&self, linkage: &Linkage) -> f64 {
         let mut largest = 0.0_f64;
         for rod in 0..linkage.len() {
@@ -194,7 +211,7 @@ impl Elimination {
             let angles = self.angle[rod].abs() + below + linkage.rest[rod].abs();
             largest = largest.max(linkage.stiffness[rod] * angles);
         }
-        8.0 * f64::EPSILON * largest
+        8.0 * f64::EPSILON * largest + self.resolution()
     }
 
     /// Eliminates the Hessian at the last evaluated state, with `shift` times the size of the load's own terms added

@@ -64,7 +64,7 @@ pub fn hold(
         if !left.is_finite() {
             break;
         }
-        held.outcome.residual = if left == 0.0 { 0.0 } else { left / torque };
+        held.outcome.residual = search.state.relative_residual();
         // One rounding of the place is a force of this torque in the spring.
         let jitter = 16.0 * f64::EPSILON * search.spring * search.reach * search.reach;
         let round_off = f64::max(search.state.round_off(linkage), jitter);

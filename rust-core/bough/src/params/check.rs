@@ -6,11 +6,16 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::cost::{MAX_SEGMENTS, too_large};
-use super::declaration::{ArrangementPattern, BranchingPattern, Method, PARAMETERS, Params, Thickening};
+use super::declaration::{
+    ArrangementPattern, Branching, BranchingPattern, Method, PARAMETERS, Params, Thickening,
+};
 use super::issue::{Issue, Sentence};
 use super::parameter::{Kind, Parameter};
 use super::plane::is_spatial;
 use super::value::FORCE_WIDTH;
+
+/// Least radius of a twig, m: far below an atom's, and its fourth power is still a number.
+const THINNEST: f64 = 1e-30;
 
 /// Every problem with these params; empty when a plant can be grown from them. Nothing is thrown.
 pub fn check(params: &Params) -> Vec<Issue> {
@@ -120,6 +125,32 @@ fn unsupported(params: &Params) -> Vec<Issue> {
             (Some(f64::MIN_POSITIVE), Some(1.0)),
         ));
     }
+    issues.extend(too_thin(params));
     issues.extend(too_large(params));
     issues
+}
+
+/// Forks upon forks of very unequal girth, which end in twigs of no thickness that a number can tell.
+fn too_thin(params: &Params) -> Option<Issue> {
+    let Branching { pattern, generations, exponent, girth_ratio, .. } = params.branching;
+    if pattern == BranchingPattern::None {
+        return None;
+    }
+    // Equation 47; pipes make their own taper.
+    let thicker = libm::pow(1.0 + libm::pow(girth_ratio, exponent), -1.0 / exponent);
+    let taper = if params.growth.thickening == Thickening::Pipes { 1.0 } else { params.axis.taper };
+    let thinner = girth_ratio * thicker * taper;
+    let radii = core::iter::successors(Some(params.axis.radius), |radius| Some(radius * thinner));
+    let most =
+        radii.skip(1).take(generations as usize).take_while(|&radius| radius >= THINNEST).count() as u32;
+    (most < generations && thinner > 0.0).then(|| {
+        Issue::new(
+            "unsupported",
+            "branching.generations",
+            f64::from(generations),
+            "branching.generations must be at most {}, or twigs have a radius below {} m; it is {}.",
+            &[f64::from(most), THINNEST, f64::from(generations)],
+            (Some(0.0), Some(f64::from(most))),
+        )
+    })
 }

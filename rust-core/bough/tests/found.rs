@@ -1,0 +1,131 @@
+//! What fuzzing found, each once and for all.
+
+#![allow(clippy::unwrap_used, reason = "a test may stop")]
+
+mod soundness;
+
+use bough::angle::Degrees;
+use bough::mechanics::Status;
+use bough::params::{BranchingPattern, Discretization, Params, PointForce, Thickening, check};
+use bough::{History, grow};
+use soundness::{check_held, check_mirrored, check_plant};
+
+/// One segment, which a force pulls until it points along it.
+fn hair(radius: f64, length: f64) -> Params {
+    let mut params = Params::default();
+    params.axis.segments = 1;
+    params.axis.radius = radius;
+    params.axis.segment_length = length;
+    params.solver.discretization = Discretization::Paper;
+    params.loads.forces = vec![PointForce { segment: 0, force: [1e3, 1e3, 0.0] }];
+    params
+}
+
+/// The torque of its load was 0 but for rounding, and the residual infinite.
+#[test]
+fn a_hair_pulled_straight_has_a_residual() {
+    let plant = grow(&hair(1.9109718586691166e-7, 0.0375)).unwrap();
+    assert_eq!(plant.report.status, Status::Converged);
+    assert!(plant.report.residual.is_finite(), "{}", plant.report.residual);
+    check_plant(&plant);
+}
+
+/// The bound of what Newton's last step leaves was held against the torque of before that step.
+#[test]
+fn a_last_step_that_takes_the_torque_away_is_not_the_last() {
+    let mut params = hair(1.0669716874790748e-7, 1e-6);
+    params.solver.tolerance = 0.0006674601361378348;
+    let plant = grow(&params).unwrap();
+    assert!(plant.report.residual <= params.solver.tolerance, "{}", plant.report.residual);
+    check_plant(&plant);
+}
+
+/// All loads came back when somebody took hold of it.
+#[test]
+fn a_plant_without_its_loads_is_held_as_it_is_shown() {
+    let mut params = Params::default();
+    params.growth.thickening = Thickening::Pipes;
+    params.loads.removed = true;
+    let mut history = History::new(&params).unwrap();
+    let shown = history.at(40);
+    let [x, y, _] = shown.tip(0);
+    check_held(&history.hold(39, [0.9 * x, 0.9 * y, 0.0]).unwrap());
+}
+
+/// It said that such a plant is stable, though it was in no equilibrium on the way there.
+#[test]
+fn a_held_plant_that_did_not_converge_is_not_called_stable() {
+    let mut params = Params::default();
+    params.axis.segments = 3;
+    params.solver.method = bough::params::Method::Euler;
+    // Not even the first step comes to rest within the limit.
+    params.material.youngs_modulus = 1e-3;
+    params.solver.tolerance = 1e-15;
+    let mut history = History::new(&params).unwrap();
+    let free = history.at(3);
+    assert_ne!(free.report.status, Status::Converged);
+    let held = history.hold(2, free.tip(0)).unwrap();
+    assert_eq!((held.report.status, held.report.stable), (free.report.status, None));
+}
+
+/// Radians of more than half a turn were rounded otherwise than those of less.
+#[test]
+fn a_tropism_past_half_a_turn_is_mirrored_to_the_bit() {
+    let mut params = Params::default();
+    params.axis.segments = 8;
+    params.axis.elevation = Degrees(123.953125);
+    params.tropism.elevation = Degrees(-180.0);
+    params.tropism.strength = 1.115855987999741e-11;
+    params.growth.thickening = Thickening::Pipes;
+    params.solver.discretization = Discretization::Paper;
+    params.solver.tolerance = 0.08821151720186576;
+    check_mirrored(&params);
+}
+
+/// How often sines had been turned instead of computed was remembered from one step to another.
+#[test]
+fn going_back_with_a_tight_tolerance_takes_the_same_iterations() {
+    let mut params = Params::default();
+    params.axis.segments = 5;
+    params.axis.segment_length = 231.28984099861052;
+    params.tropism.strength = 1e9;
+    params.solver.tolerance = 1e-15;
+    let mut history = History::new(&params).unwrap();
+    history.at(3);
+    assert_eq!(history.at(1), History::new(&params).unwrap().at(1));
+}
+
+/// Their stiffness was 0, and the plant called converged and unstable.
+#[test]
+fn twigs_thinner_than_numbers_are_refused_with_the_generations_that_fit() {
+    let mut params = Params::default();
+    params.axis.segments = 1;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 7;
+    params.branching.girth_ratio = 1e-9;
+    let issues = check(&params);
+    assert_eq!(issues[0].max, Some(3.0));
+    assert_eq!(
+        issues[0].message(),
+        "branching.generations must be at most 3, or twigs have a radius below 1e-30 m; it is 7."
+    );
+    params.branching.generations = 3;
+    check_plant(&grow(&params).unwrap());
+    // By the taper, which pipes do not have.
+    params.branching.girth_ratio = 0.8;
+    params.axis.taper = 1e-300;
+    assert_eq!(check(&params)[0].max, Some(0.0));
+    params.growth.thickening = Thickening::Pipes;
+    assert_eq!(check(&params), []);
+}
+
+/// Rounding of an angle of several turns moves a load by more than the tolerance.
+#[test]
+fn a_hair_wound_up_and_pulled_says_what_rounding_leaves() {
+    let mut params = hair(0.005, 0.0375);
+    params.solver.discretization = Discretization::SecondOrder;
+    params.material.youngs_modulus = 1e-3;
+    params.tropism.strength = 305229.52121070755;
+    params.loads.forces[0].force = [-0.7503389582715565, 891.1491725448201, 0.0];
+    check_plant(&grow(&params).unwrap());
+}

@@ -1,0 +1,246 @@
+/**
+ * Somebody who does anything: seeded random actions on whatever the page offers, and what must hold after each of them. New
+ * controls are found by themselves: what can be clicked, typed into or moved is an action.
+ */
+import type { Browser, ElementHandle, Page } from "playwright";
+import { quantityText } from "../../web/src/form/quantity.ts";
+import { measure } from "../../web/src/geometry/measure.ts";
+import { history, init } from "../../web/src/package/node.ts";
+import { read, write } from "../../web/src/params/link.ts";
+import { stepsOf } from "../../web/src/params/params.ts";
+import { randomFrom } from "../random.ts";
+
+/** What is typed: numbers of every kind, and what is no number. */
+const texts = [
+  ..."0 1 2 7 12 40 -1 -45 0.5 3,5 1e3 1e5 1e-9 1e999 -0 1e9 1/3".split(" "),
+  "4 cm",
+  "1 GPa",
+  "",
+  "abc",
+  "NaN",
+  "<img src=x onerror=alert(1)>",
+  "9".repeat(400),
+  "\u202e12\u0000",
+];
+const keys = [..."lcmvtg?,.+-0h".split(""), "Escape", "Control+z", "Control+y", "Tab", "Home"];
+const travels = ["ArrowRight", "ArrowLeft", "PageUp", "PageDown", "Home", "End"];
+const sizes = [
+  [1280, 800],
+  [390, 844],
+  [320, 600],
+  [700, 420],
+] as const;
+
+/** How long a plant may take before it is cancelled, and everything before it counts as hanging. ms */
+const [patience, longest] = [3000, 60_000];
+
+interface Walker {
+  readonly page: Page;
+  readonly problems: string[];
+  readonly pick: <One>(many: readonly One[]) => One;
+  readonly chance: (share: number) => boolean;
+}
+
+/** Takes that many actions; throws with the last of them when something does not hold. Returns how often what was checked. */
+export async function walk(browser: Browser, site: string, seed: number, actions: number): Promise<string> {
+  await init();
+  const random = randomFrom(seed);
+  const context = await browser.newContext({
+    viewport: { width: 700, height: 420 },
+    reducedMotion: "reduce",
+  });
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const page = await context.newPage();
+  const problems = complaints(page);
+  const walker: Walker = {
+    page,
+    problems,
+    pick: (many) => many[Math.floor(random() * many.length)] as (typeof many)[number],
+    chance: (share) => random() < share,
+  };
+  const done: string[] = [];
+  const counts = { compared: 0, undone: 0, cancelled: 0 };
+  try {
+    await page.goto(site);
+    await rest(walker, counts);
+    for (let action = 0; action < actions; action++) {
+      const before = page.url();
+      done.push(await act(walker));
+      await rest(walker, counts);
+      if (problems.length > 0) throw new Error(problems[0]);
+      if (walker.chance(0.2)) counts.compared += await comparePlant(page);
+      if (page.url() !== before && walker.chance(0.3))
+        counts.undone += await undoAndRedo(walker, before, counts);
+    }
+  } catch (error) {
+    const last = done.slice(-8).join("; ");
+    throw new Error(`Seed ${seed}, action ${done.length} (${last}) at ${page.url()}: ${error}`, {
+      cause: error,
+    });
+  } finally {
+    await context.close();
+  }
+  const { compared, undone, cancelled } = counts;
+  return `seed ${seed}: ${done.length} actions, plant and address compared ${compared} times, ${undone} undone and redone, ${cancelled} long ones cancelled: 0 broken`;
+}
+
+/** Whatever the page complains of. */
+function complaints(page: Page): string[] {
+  const found: string[] = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) found.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => found.push(`exception: ${error.stack}`));
+  page.on("dialog", (dialog) => {
+    found.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  return found;
+}
+
+/** One action; returns what it was. */
+async function act(walker: Walker): Promise<string> {
+  const { page, pick, chance } = walker;
+  if (chance(0.15)) {
+    const key = pick(keys);
+    await page.keyboard.press(key);
+    return `key ${key}`;
+  }
+  if (chance(0.05)) {
+    const [width, height] = pick(sizes);
+    await page.setViewportSize({ width, height });
+    return `size ${width} × ${height}`;
+  }
+  if (chance(0.01)) {
+    await page.reload();
+    return "reload";
+  }
+  if (chance(0.05)) return drag(walker);
+  const element = await anyControl(walker);
+  return element ? use(walker, element) : "nothing to do";
+}
+
+/** Anything that can be used now: in the dialog that is open, else on the page. */
+async function anyControl({ page, pick }: Walker): Promise<ElementHandle<HTMLElement> | null> {
+  const all = await page.evaluateHandle(() => {
+    const within = [...document.querySelectorAll("dialog[open]")].at(-1) ?? document;
+    const found = within.querySelectorAll<HTMLElement>(
+      "button, input, select, summary, textarea, [tabindex='0']",
+    );
+    return [...found].filter(
+      (one) => one.checkVisibility() && !one.matches(":disabled, [type=file], [readonly], [inert] *"),
+    );
+  });
+  const count = await all.evaluate((list) => list.length);
+  if (count === 0) return null;
+  const index = pick(Array.from({ length: count }, (_, number) => number));
+  const one = await all.evaluateHandle((list, at) => list[at] as HTMLElement, index);
+  await all.dispose();
+  return one.asElement();
+}
+
+async function use({ page, pick }: Walker, element: ElementHandle<HTMLElement>): Promise<string> {
+  const { kind, name } = await element.evaluate((one) => ({
+    kind: one instanceof HTMLInputElement ? one.type : one.localName,
+    name: one.getAttribute("aria-label") || one.id || one.textContent?.trim().slice(0, 30) || one.className,
+  }));
+  if (kind === "range") {
+    const key = pick(travels);
+    await element.focus();
+    await page.keyboard.press(key);
+    // A key that is held down is one step of history; this one is let go.
+    return `${key} on ${name}`;
+  }
+  if (kind === "select") {
+    const options = await element.evaluate((one) => (one as unknown as HTMLSelectElement).options.length);
+    const index = pick(Array.from({ length: options }, (_, number) => number));
+    await element.selectOption({ index });
+    return `option ${index} of ${name}`;
+  }
+  if (kind === "text" || kind === "textarea" || kind === "search" || kind === "number") {
+    const text = pick(kind === "number" ? texts.filter((one) => /^[-\d.]+$/.test(one)) : texts);
+    await element.fill(text);
+    await page.keyboard.press("Enter");
+    return `“${text.slice(0, 30)}” into ${name}`;
+  }
+  await element.evaluate((one) => one.click());
+  return `click on ${name}`;
+}
+
+/** Drags across the picture by the mouse: a branch bends, or the view turns. */
+async function drag({ page, pick }: Walker): Promise<string> {
+  const box = await page.locator("canvas.picture").boundingBox();
+  if (!box || (await page.locator("dialog[open]").count()) > 0) return "no picture to drag on";
+  const place = () =>
+    [box.x + box.width * pick([0.2, 0.4, 0.6, 0.8]), box.y + box.height * pick([0.3, 0.5, 0.7])] as const;
+  await page.mouse.move(...place());
+  await page.mouse.down();
+  await page.mouse.move(...place(), { steps: 3 });
+  await page.mouse.up();
+  return "drag";
+}
+
+/** Waits until all is at rest. What takes long is cancelled, what plays is paused, as a person would. */
+async function rest({ page }: Walker, counts: { cancelled: number }): Promise<void> {
+  const isAtRest = () => document.documentElement.dataset.settled === "true";
+  const begin = Date.now();
+  while (Date.now() - begin < longest) {
+    try {
+      await page.waitForFunction(isAtRest, null, { timeout: patience });
+      return;
+    } catch {
+      const pressed = await page.evaluate(() => {
+        const cancel = document.querySelector<HTMLElement>(".progress button");
+        const pause = document.querySelector<HTMLElement>(".play[aria-label='Pause']");
+        (cancel ?? pause)?.click();
+        return cancel !== null;
+      });
+      counts.cancelled += Number(pressed);
+    }
+  }
+  throw new Error(`The page does not come to rest within ${longest / 1000} s.`);
+}
+
+/** The plant that is shown is that of the address, grown here. Returns 1 where that could be compared. */
+async function comparePlant(page: Page): Promise<number> {
+  const { state } = read(new URL(page.url()).search);
+  const steps = stepsOf(state.params);
+  // A plant in a hand is bent by it; and what takes long was cancelled.
+  if (steps > 500 || (await page.locator("[aria-pressed=true].hold, .holds").count()) > 0) return 0;
+  const { report, ...plant } = history(state.params).at(state.step ?? steps);
+  const { length } = measure({ report, ...plant });
+  const expected = [quantityText(length, "m"), quantityText(report.gravityNumber, "")];
+  const shown = await page.locator(".readout dd").allInnerTexts();
+  const found = [shown[0]?.trim(), shown[2]?.trim().slice(0, expected[1]?.length)];
+  if (found.join() !== expected.join()) {
+    throw new Error(`The address says ${expected.join(", ")}, the page ${found.join(", ")}.`);
+  }
+  return 1;
+}
+
+/** What an address says, however it is written. */
+function meaning(address: string): string {
+  return write(read(new URL(address).search).state);
+}
+
+/** Undo leads back to the address before, redo to the one after. Returns 1 where there was something to undo. */
+async function undoAndRedo(walker: Walker, before: string, counts: { cancelled: number }): Promise<number> {
+  const { page } = walker;
+  const after = page.url();
+  const button = (name: string) => page.getByRole("button", { name, exact: true });
+  if (await page.locator("dialog[open]").count()) return 0;
+  if (!(await button("Undo").isEnabled())) return 0;
+  await button("Undo").evaluate((one: HTMLElement) => one.click());
+  await page.waitForURL((url) => meaning(url.href) === meaning(before), {
+    timeout: 15_000,
+    waitUntil: "commit",
+  });
+  await rest(walker, counts);
+  await button("Redo").evaluate((one: HTMLElement) => one.click());
+  await page.waitForURL((url) => meaning(url.href) === meaning(after), {
+    timeout: 15_000,
+    waitUntil: "commit",
+  });
+  await rest(walker, counts);
+  return 1;
+}
