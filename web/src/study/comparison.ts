@@ -191,7 +191,7 @@ function changes(a: Pinned["state"], now: State): TemplateResult {
   const text = (value: Value, unit: string): string => {
     if (typeof value === "number") return quantityText(value, unit);
     if (Array.isArray(value)) return value.map((part) => digits(part)).join(", ");
-    return typeof value === "boolean" ? String(value) : nameOf(value);
+    return typeof value === "string" ? nameOf(value) : String(value ?? "none");
   };
   const lines = parameters.flatMap(({ path, label, unit }) => {
     const [before, after] = [valueAt(a.params, path), valueAt(now.params, path)];

@@ -30,7 +30,8 @@ export const words = {
     none: {
       forces: "A plant that is pulled at has none: let go of it.",
       extrapolated: "Extrapolated growth has no exact derivatives: choose exact or static stepping.",
-      plant: "There are none for this plant: it is too large, did not come to rest, or leaves the plane of the picture.",
+      plant:
+        "There are none for this plant: it is too large, did not come to rest, or leaves the plane of the picture.",
     },
     noSlope: (labels: string) => `The tip does not depend smoothly on: ${labels}.`,
     failed: (reason: string) => `This could not be computed. ${reason}`,
