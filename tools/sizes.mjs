@@ -15,25 +15,26 @@ export function checkSizes() {
   const wasm = compressed(wasmFiles().filter((file) => !isForStudy(file)));
   const embed = ["embed.html", ...reachedBy(["embed.html"], staticImport)];
   const widget = reachedBy(["bough-plant.js"], anyImport);
+  // Rods in space, which bend and twist, made the wasm a third larger, and with it all that holds it.
   const rows = [
-    { what: "wasm", size: wasm, wished: 40, most: 60 },
+    { what: "wasm", size: wasm, wished: 40, most: 82 },
     {
       what: "explorer up to the first plant",
       size: wasm + compressed(initialFiles()),
       wished: 255,
-      most: 255,
+      most: 262,
     },
     {
       what: "wasm that studies a plant, when wanted",
       size: compressed(wasmFiles().filter(isForStudy)),
       wished: 60,
-      most: 60,
+      most: 75,
     },
     { what: "embed before activation", size: compressed(embed), wished: 15, most: 15 },
-    { what: "module widget with three and wasm", size: wasm + compressed(widget), wished: 215, most: 215 },
-    { what: "one-file bough-widget.js", size: compressed(["bough-widget.js"]), wished: 235, most: 235 },
+    { what: "module widget with three and wasm", size: wasm + compressed(widget), wished: 215, most: 242 },
+    { what: "one-file bough-widget.js", size: compressed(["bough-widget.js"]), wished: 235, most: 248 },
     // Wished before there was an element in it (now a sixth), and for a wasm of 40 kB, which ships twice.
-    { what: "npm tarball", size: tarballSize(), wished: 150, most: 185 },
+    { what: "npm tarball", size: tarballSize(), wished: 150, most: 238 },
   ];
   console.log(tableRow("kB, compressed", "size", "wished", "at most"));
   for (const { what, size, wished, most } of rows) {
