@@ -335,9 +335,10 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
     });
     return [
       `with a gravity number of ${q.toFixed(0)}`,
-      ["The least push would tip it over", column.report.stable === false && direction(column) === 90],
+      ["It has leaned over", column.report.stable === true && direction(column) < 0],
+      "Bough pushes it by a thousandth of a radian",
       // Between the two, by less than forty segments are off.
-      ["above $q = 7.84$", upright(7.82).report.stable === true && upright(7.86).report.stable === false],
+      ["above $q = 7.84$", direction(upright(7.82)) === 90 && direction(upright(7.86)) < 89],
       "Greenhill found in 1881",
       "Lower the elevation to 89°.",
       `With $q = ${q.toFixed(0)}$ the leaning axis falls over: its tip points ${upOrDown(direction(leaning(q)))}.`,

@@ -65,7 +65,7 @@ fn euler_says_when_it_does_not_get_there() {
     let (mut stable, mut unstable) = (5.0, 10.0);
     while unstable - stable > 1e-12 {
         let middle = 0.5 * (stable + unstable);
-        let upright = grow(&column(middle)).unwrap().report.stable == Some(true);
+        let upright = grow(&column(middle)).unwrap().report.self_buckling.unwrap() < 1.0;
         *(if upright { &mut stable } else { &mut unstable }) = middle;
     }
     let mut params = heavy_rod(90.0 - 1e-9, stable, 6);

@@ -14,7 +14,7 @@ export function gravitySentence(q: number): string {
 }
 
 /** How trustworthy the shape is. */
-export function solverSentence({ status, stable, residual }: Report): string {
+export function solverSentence({ status, stable, unstableSince, residual }: Report): string {
   const left = `${residual.toExponential(0).replace("-", "−")} of the largest torque is left over`;
   switch (status) {
     case "converged":
@@ -22,12 +22,17 @@ export function solverSentence({ status, stable, residual }: Report): string {
         return `An equilibrium, but an unstable one: the least push would tip it (${left}).`;
       return `In stable equilibrium (${left}).`;
     case "maxIterations":
-      return `Not in equilibrium: the solver ran out of iterations (${left}).`;
+      return `Not in equilibrium: the solver ran out of iterations (${left}).${unstableSince === null ? "" : advice(unstableSince)}`;
     case "nonFinite":
       return "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.";
     case "budget":
       return `Not in equilibrium: the solver ran out of time (${left}).`;
   }
+}
+
+/** What to change where growth has lost its equilibrium. */
+function advice(lostAt: number): string {
+  return ` It last stood at step ${lostAt - 1}; a larger radius or Young's modulus, or less gravity, lets it stand longer.`;
 }
 
 /** The whole plant in a few sentences. */

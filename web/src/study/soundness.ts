@@ -10,12 +10,16 @@ export const criticalGravityNumber = 7.837347;
 
 /** On its stability, and on the load at which an upright axis would buckle. */
 export function stabilitySentences({ params, report }: Plant): string[] {
-  const { stable, unstableSince, gravityNumber } = report;
+  const { stable, unstableSince, gravityNumber, selfBuckling } = report;
   const sentences: string[] = [];
   if (stable === null) sentences.push(words.why.noEquilibrium);
   else if (!stable) sentences.push(words.why.unstableNow);
   if (stable !== null && unstableSince !== null) sentences.push(words.why.unstableSince(unstableSince));
   else if (stable) sentences.push(words.why.stable);
+  if (selfBuckling !== null) {
+    const share = `${numberText(100 * selfBuckling, 3)} %`;
+    sentences.push((selfBuckling > 1 ? words.why.leans : words.why.stands)(share));
+  }
   if (isGreenhillsColumn(params)) {
     const share = `${numberText((100 * gravityNumber) / criticalGravityNumber, 3)} %`;
     const critical = numberText(criticalGravityNumber);

@@ -63,6 +63,9 @@ export const words = {
     unstableSince: (step: number) =>
       `It could not have stood like this from growth step ${step} on: there it was unstable, and a real plant would have tipped over one way or the other.`,
     noEquilibrium: "Not in equilibrium, so nothing can be said.",
+    stands: (share: string) => `Its loads are ${share} of those at which it could no longer stand straight.`,
+    leans: (share: string) =>
+      `Its loads are ${share} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.`,
     buckling: (q: string, critical: string, share: string) =>
       `An upright axis of even thickness buckles under its own weight at a gravity number of ${critical} (Greenhill 1881). This one has ${q}: ${share}.`,
     ofCritical: (share: string) => `${share} of that`,

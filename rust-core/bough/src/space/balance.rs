@@ -14,7 +14,7 @@
 
 use alloc::vec::Vec;
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 use super::rotation::{Curving, exp, log, normalized};
 use super::shape::{Rods, Shape};
@@ -141,8 +141,8 @@ impl Balance {
         let (orientation, deviation) = (&self.orientation[..count], &shape.deviation[..count]);
         let (axis, force, block) = (&shape.axis[..count], &force[..count], &mut self.block[..count]);
         for rod in (0..count).rev() {
-            let turned = orientation[rod];
-            let along = turned * DVec3::X;
+            let turned = DMat3::from_quat(orientation[rod]);
+            let along = turned.x_axis;
             let bent = turned * DVec3::from_array(deviation[rod]);
             let wood = turned * DVec3::from_array(axis[rod]);
             let (arm, pull) = (length[rod] * along, force[rod]);
@@ -160,12 +160,11 @@ impl Balance {
             most_residual = if residual_square <= most_residual { most_residual } else { residual_square };
             let moment_square = moment.length_squared();
             most_bent = if moment_square > most_bent { moment_square } else { most_bent };
-            loads += length[rod] * pull.length();
+            // The sum of the sizes of a vector's components bounds its length, and needs no root.
+            let load = length[rod] * pull.abs().element_sum();
+            loads += load;
             let own = -lifted;
-            let mut shifted = own;
-            if shift > 0.0 {
-                shifted += shift * (length[rod] * pull.length() + moment.length());
-            }
+            let shifted = own + shift * (load + moment.abs().element_sum());
             beyond[0] += shifted - arm.x * pull.x;
             beyond[1] += shifted - arm.y * pull.y;
             beyond[2] += shifted - arm.z * pull.z;

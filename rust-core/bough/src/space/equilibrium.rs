@@ -11,10 +11,11 @@ use super::balance::Balance;
 use super::shape::{Rods, Shape};
 use crate::mechanics::{Outcome, Settings, Status};
 
-/// How far any rod may turn, in radians, in one trusted search: a fraction of the distance between branches.
-pub(super) const TRUSTED_TURN: f64 = 0.5;
+/// How far any rod may turn, in radians, in one trusted search that meets definite Hessians only: a fraction of the distance
+/// between branches. Twice what the plane trusts: of the hundred thousand twigs of a tree one always turns far.
+pub(super) const TRUSTED_TURN: f64 = 1.0;
 /// How far the load is raised at once: a little less than what is trusted.
-const FITTING_TURN: f64 = 0.4;
+const FITTING_TURN: f64 = 0.8;
 /// Newton converges quadratically from a trusted start, so more iterations than this mean that it was not one.
 const TRUSTED_ITERATIONS: u32 = 12;
 /// Smallest part of a load that is tried before the branch counts as ended.
@@ -22,7 +23,7 @@ const SMALLEST_SHARE: f64 = 1e-12;
 /// Most parts of a load that are tried, for the same reason.
 const MOST_PARTS: u32 = 40;
 /// Balance that is enough on the way, before the whole load is on.
-const ON_THE_WAY: f64 = 5e-2;
+const ON_THE_WAY: f64 = 0.2;
 
 /// A direction in which the energy falls by less than this share of the loads' and springs' torques is neutral: an upright stem
 /// that leans could as well lean to any other side. So much is added to the Hessian, which keeps the shape from wandering off
@@ -140,7 +141,8 @@ impl Workspace {
             self.change.iter_mut().for_each(|change| *change *= scale);
             add(shape, &self.change);
             let guessed = largest_turn(rods, &self.change);
-            let limit = TRUSTED_TURN - guessed;
+            // Along the branch the guess is trusted: what counts is how far it was off.
+            let limit = TRUSTED_TURN;
             match self.attempt(rods, shape, &partial, tolerance, limit, outcome) {
                 Attempt::Converged(turned) => {
                     last_part = next - share;

@@ -18,7 +18,7 @@ const SMALL_SINE: f64 = 1.0 / 64.0;
 const SMALL_ANGLE: f64 = 0.25;
 
 /// The rotation by a rotation vector.
-#[inline(never)]
+#[inline]
 pub fn exp(rotation: DVec3) -> DQuat {
     let square = 0.25 * rotation.length_squared();
     let (sinc, cosine) = if square <= SMALL_HALF { small_half(square) } else { large_half(square) };
@@ -26,28 +26,34 @@ pub fn exp(rotation: DVec3) -> DQuat {
     DQuat::from_xyzw(x, y, z, cosine)
 }
 
+/// Far below the bound of all terms, where half as many leave less than 1e-17.
+const TINY: f64 = 1e-3;
+
+/// Sum of a power series.
+#[inline]
+fn horner<const N: usize>(terms: &[f64; N], variable: f64) -> f64 {
+    terms.iter().rev().fold(0.0, |sum, term| sum * variable + term)
+}
+
+const SINC: [f64; 7] = [
+    1.0,
+    -1.0 / 6.0,
+    1.0 / 120.0,
+    -1.0 / 5040.0,
+    1.0 / 362_880.0,
+    -1.0 / 39_916_800.0,
+    1.0 / 6_227_020_800.0,
+];
+const COSINE: [f64; 7] =
+    [1.0, -0.5, 1.0 / 24.0, -1.0 / 720.0, 1.0 / 40_320.0, -1.0 / 3_628_800.0, 1.0 / 479_001_600.0];
+
 #[inline]
 fn small_half(square: f64) -> (f64, f64) {
-    let horner = |terms: [f64; 7]| terms.iter().rev().fold(0.0, |sum, term| sum * square + term);
-    let sinc = horner([
-        1.0,
-        -1.0 / 6.0,
-        1.0 / 120.0,
-        -1.0 / 5040.0,
-        1.0 / 362_880.0,
-        -1.0 / 39_916_800.0,
-        1.0 / 6_227_020_800.0,
-    ]);
-    let cosine = horner([
-        1.0,
-        -0.5,
-        1.0 / 24.0,
-        -1.0 / 720.0,
-        1.0 / 40_320.0,
-        -1.0 / 3_628_800.0,
-        1.0 / 479_001_600.0,
-    ]);
-    (sinc, cosine)
+    if square <= TINY {
+        let [sinc, cosine] = [&SINC, &COSINE].map(|all| [all[0], all[1], all[2], all[3], all[4]]);
+        return (horner(&sinc, square), horner(&cosine, square));
+    }
+    (horner(&SINC, square), horner(&COSINE, square))
 }
 
 #[inline(never)]
@@ -58,7 +64,7 @@ fn large_half(square: f64) -> (f64, f64) {
 }
 
 /// The rotation vector of a rotation, at most pi long: the short way round.
-#[inline(never)]
+#[inline]
 pub fn log(rotation: DQuat) -> DVec3 {
     let sign = if rotation.w < 0.0 { -1.0 } else { 1.0 };
     let sine = DVec3::new(rotation.x, rotation.y, rotation.z) * sign;
@@ -67,22 +73,26 @@ pub fn log(rotation: DQuat) -> DVec3 {
     sine * (2.0 * scale)
 }
 
+const ARC: [f64; 10] = [
+    1.0,
+    1.0 / 6.0,
+    3.0 / 40.0,
+    5.0 / 112.0,
+    35.0 / 1152.0,
+    63.0 / 2816.0,
+    231.0 / 13_312.0,
+    143.0 / 10_240.0,
+    6435.0 / 557_056.0,
+    12_155.0 / 1_245_184.0,
+];
+
 /// arcsin(s) / s.
 #[inline]
 fn small_arc(square: f64) -> f64 {
-    let terms = [
-        1.0,
-        1.0 / 6.0,
-        3.0 / 40.0,
-        5.0 / 112.0,
-        35.0 / 1152.0,
-        63.0 / 2816.0,
-        231.0 / 13_312.0,
-        143.0 / 10_240.0,
-        6435.0 / 557_056.0,
-        12_155.0 / 1_245_184.0,
-    ];
-    terms.iter().rev().fold(0.0, |sum, term| sum * square + term)
+    if square <= TINY {
+        return horner(&[ARC[0], ARC[1], ARC[2], ARC[3], ARC[4]], square);
+    }
+    horner(&ARC, square)
 }
 
 #[inline(never)]
@@ -124,8 +134,9 @@ impl Curving {
             1.0 / 74_724_249_600.0,
             3617.0 / 10_670_622_842_880_000.0,
         ];
+        let terms = if square <= 10.0 * TINY { &TERMS[..5] } else { &TERMS[..] };
         let (mut first, mut second) = (0.0, 0.0);
-        for term in TERMS.iter().rev() {
+        for term in terms.iter().rev() {
             second = second * square + first;
             first = first * square + term;
         }
