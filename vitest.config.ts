@@ -8,7 +8,7 @@ export default defineConfig({
           name: "unit",
           include: ["tests/{unit,contract}/**/*.test.ts", "tests/course/*.test.ts"],
           // Thousands of random cases take a second or two, and many more on a busy machine.
-          testTimeout: 30_000,
+          testTimeout: 120_000,
         },
       },
       {
