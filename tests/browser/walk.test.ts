@@ -10,8 +10,12 @@ beforeAll(async () => {
 });
 afterAll(() => browser.close());
 
-test.concurrent.each([1, 2])("500 random actions, seed %i, break nothing", { timeout: 600_000 }, async (seed) => {
-  const found = await walk(browser, inject("site"), seed, Number(process.env.BOUGH_ACTIONS ?? 500));
-  console.log(found);
-  expect(found).toContain("0 broken");
-});
+test.concurrent.each([1, 2])(
+  "500 random actions, seed %i, break nothing",
+  { timeout: 600_000 },
+  async (seed) => {
+    const found = await walk(browser, inject("site"), seed, Number(process.env.BOUGH_ACTIONS ?? 500));
+    console.log(found);
+    expect(found).toContain("0 broken");
+  },
+);

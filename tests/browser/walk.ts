@@ -235,17 +235,17 @@ async function undoAndRedo(walker: Walker, before: string, counts: { cancelled: 
   const button = (name: string) => page.getByRole("button", { name, exact: true });
   if (await page.locator("dialog[open]").count()) return 0;
   if (!(await button("Undo").isEnabled())) return 0;
-  await button("Undo").evaluate((one: HTMLElement) => one.click());
-  await page.waitForURL((url) => meaning(url.href) === meaning(before), {
-    timeout: 15_000,
-    waitUntil: "commit",
-  });
-  await rest(walker, counts);
-  await button("Redo").evaluate((one: HTMLElement) => one.click());
-  await page.waitForURL((url) => meaning(url.href) === meaning(after), {
-    timeout: 15_000,
-    waitUntil: "commit",
-  });
-  await rest(walker, counts);
+  const press = async (name: string, address: string) => {
+    await button(name).evaluate((one: HTMLElement) => one.click());
+    const leads = (url: URL) => meaning(url.href) === meaning(address);
+    await page.waitForURL(leads, { timeout: 15_000, waitUntil: "commit" }).catch((error) => {
+      throw new Error(`${name} leads from ${name === "Undo" ? after : before} not to ${address}`, {
+        cause: error,
+      });
+    });
+    await rest(walker, counts);
+  };
+  await press("Undo", before);
+  await press("Redo", after);
   return 1;
 }
