@@ -15,6 +15,11 @@ const entries = [
     file: "../element/index.ts",
     note: "[widget.md](widget.md) has its attributes, events and styles. Types that `bough` exports too are not repeated.",
   },
+  {
+    name: "bough/three",
+    file: "../three/index.ts",
+    note: "[three.md](three.md) shows it in use. What the classes have from three.js is not repeated.",
+  },
   { name: "bough/worker", file: "worker.ts", note: "What `bough` exports too is not repeated." },
 ];
 
@@ -124,12 +129,19 @@ function entry(heading, ...parts) {
 }
 
 /** @param {ts.FunctionDeclaration | ts.MethodSignature | ts.MethodDeclaration} declaration */
-function signature({ name, parameters, type }) {
-  const shown = parameters.map((parameter) => {
-    const mark = parameter.initializer || parameter.questionToken ? "?" : "";
-    return `${parameter.name.getText()}${mark}: ${parameter.type?.getText()}`;
+function signature(declaration) {
+  return `${declaration.name?.getText()}(${parametersOf(declaration)}): ${declaration.type?.getText()}`;
+}
+
+/** What is taken apart at once goes by the name of its type. @param {ts.SignatureDeclaration} declaration */
+function parametersOf({ parameters }) {
+  const shown = parameters.map(({ name, type, initializer, questionToken }) => {
+    const mark = initializer || questionToken ? "?" : "";
+    const [first = "", ...rest] = type?.getText() ?? "";
+    const called = ts.isIdentifier(name) ? name.text : `${first.toLowerCase()}${rest.join("")}`;
+    return `${called}${mark}: ${type?.getText()}`;
   });
-  return `${name?.getText()}(${shown.join(", ")}): ${type?.getText()}`;
+  return shown.join(", ");
 }
 
 /** @param {ts.InterfaceDeclaration | ts.ClassDeclaration} declaration */
@@ -147,11 +159,21 @@ function membersOf(declaration, checker) {
     const isProperty = ts.isPropertySignature(member) || ts.isPropertyDeclaration(member);
     const isMethod = ts.isMethodSignature(member) || ts.isMethodDeclaration(member);
     const isGetter = ts.isGetAccessor(member);
+    // What browsers call, and what only repeats the class it extends, is no business of authors.
+    if (ts.isClassDeclaration(declaration) && ts.getJSDocCommentsAndTags(member).length === 0) return [];
+    if (ts.isConstructorDeclaration(member)) {
+      const said = ts.getJSDocCommentsAndTags(member).map(({ comment }) => ts.getTextOfJSDocComment(comment));
+      const head = `new ${declaration.name?.text}(${parametersOf(member)})`;
+      return [`| ${inCell(`\`${head}\``)} | ${inCell(said.join(" "))} |`];
+    }
+    if (member.name && ts.isPrivateIdentifier(member.name)) return [];
     const symbol = member.name && checker.getSymbolAtLocation(member.name);
+    if (symbol && ts.isSetAccessor(member)) {
+      const head = `${symbol.name}: ${member.parameters[0]?.type?.getText()}`;
+      return [`| ${inCell(`\`${head}\``)} | ${inCell(commentOf(symbol, checker))} |`];
+    }
     // What only repeats the class it extends has no type of its own.
     if (!symbol || !(isProperty || isMethod || isGetter) || !member.type) return [];
-    // What browsers call is no business of authors.
-    if (ts.isClassDeclaration(declaration) && commentOf(symbol, checker) === "") return [];
     const mark = isProperty && member.questionToken ? "?" : "";
     const head = isMethod ? signature(member) : `${symbol.name}${mark}: ${member.type.getText()}`;
     return [`| ${inCell(`\`${head}\``)} | ${inCell(commentOf(symbol, checker))} |`];
@@ -202,9 +224,12 @@ function commentOf(symbol, checker) {
   const tags = symbol.getJsDocTags(checker).map(({ name, text: parts }) => {
     const said = ts.displayPartsToString(parts);
     if (name === "param") return `\`${said.split(" ")[0]}\`: ${said.replace(/^\S+ /, "")}.`;
-    return `Throws ${said.replace(/^\{?(\w+)\}? /, "`$1` ")}.`;
+    return name === "throws" ? `Throws ${said.replace(/^\{?(\w+)\}? /, "`$1` ")}.` : "";
   });
-  return [text.replace(/\s*\n\s*/g, " "), ...tags].join(" ").trim();
+  return [text.replace(/\s*\n\s*/g, " "), ...tags]
+    .filter((part) => part !== "")
+    .join(" ")
+    .trim();
 }
 
 /** @param {string} text */

@@ -1,8 +1,16 @@
 // The npm package: our TypeScript compiled file by file (Vite's library mode would inline the wasm), with the glue and
-// the wasm beside it at the same relative places as in web/. Only the element's own parts are put together: nobody
-// imports them one by one, and together they take a third less.
+// the wasm beside it at the same relative places as in web/. Only the views' parts are put together: nobody imports them
+// one by one, and together they take a third less. What the element and bough/three share is there once.
 
-import { copyFileSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { dirname, join, relative, sep } from "node:path";
 import { bundle } from "./bundle.mjs";
 import { nodeCommand } from "./commands.mjs";
@@ -16,16 +24,18 @@ export async function buildPackage() {
   for (const file of ["bough.js", "bough.wasm"]) {
     copyFileSync(join(generated, file), join(packageFolder, "generated", file));
   }
-  await joinElement();
+  await joinViews();
   await minifyModules();
   dropInnerTypes();
 }
 
-/** The parts of the element that no other entry imports; the core's stay where they are, so that there is but one core. */
-const ownParts = ["element", "form", "geometry", "scene"];
+/** The parts of the views that no other entry imports; the core's stay where they are, so that there is but one core. */
+const ownParts = ["element", "form", "geometry", "scene", "three"];
+/** Whose folders hold entries. */
+const views = ["element", "three"];
 
-/** The element in three files: what every page needs at once, and what is loaded once a plant is wanted. */
-async function joinElement() {
+/** The element in parts (what every page needs at once, and what is loaded once a plant is wanted), and bough/three. */
+async function joinViews() {
   const source = join(packageFolder, "src");
   const joined = join(packageFolder, "joined");
   const isOwn = (/** @type {string} */ id) => ownParts.includes(relative(source, id).split(sep)[0] ?? "");
@@ -44,15 +54,23 @@ async function joinElement() {
     ],
     build: {
       outDir: joined,
-      lib: { entry: join(source, "element", "index.js"), formats: ["es"] },
+      lib: {
+        entry: Object.fromEntries(views.map((name) => [name, join(source, name, "index.js")])),
+        formats: ["es"],
+      },
       rollupOptions: {
-        external: /^three/,
-        output: { entryFileNames: "index.js", chunkFileNames: "[name].js" },
+        external: /^three(\/|$)/,
+        output: { entryFileNames: "[name]/index.js", chunkFileNames: "scene/[name].js" },
       },
     },
   });
   for (const file of filesEndingWith(".js")) if (isOwn(file)) rmSync(file);
-  for (const file of readdirSync(joined)) renameSync(join(joined, file), join(source, "element", file));
+  for (const folder of readdirSync(joined)) {
+    for (const file of readdirSync(join(joined, folder))) {
+      mkdirSync(join(source, folder), { recursive: true });
+      renameSync(join(joined, folder, file), join(source, folder, file));
+    }
+  }
   rmSync(joined, { recursive: true });
 }
 

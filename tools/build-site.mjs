@@ -1,6 +1,7 @@
 // The site: static files in dist/site that can be served from any folder of any host.
 
 import { join } from "node:path";
+import { buildDocs } from "./build-docs.mjs";
 import { buildWidget } from "./build-widget.mjs";
 import { bundle } from "./bundle.mjs";
 import { nodeCommand } from "./commands.mjs";
@@ -11,6 +12,7 @@ export async function buildSite() {
   await runCommand("building the site", [...nodeCommand("vite"), "build"]);
   await buildWidget();
   await buildCourseScript();
+  await buildDocs();
 }
 
 /** As one plain script: pages that are opened from a folder can load no modules. */

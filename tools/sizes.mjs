@@ -33,8 +33,8 @@ export function checkSizes() {
     { what: "embed before activation", size: compressed(embed), wished: 15, most: 15 },
     { what: "module widget with three and wasm", size: wasm + compressed(widget), wished: 215, most: 242 },
     { what: "one-file bough-widget.js", size: compressed(["bough-widget.js"]), wished: 235, most: 248 },
-    // Wished before there was an element in it (now a sixth), and for a wasm of 40 kB, which ships twice.
-    { what: "npm tarball", size: tarballSize(), wished: 150, most: 238 },
+    // Wished before there were an element and bough/three in it (now a fifth), and for a wasm of 40 kB, which ships twice.
+    { what: "npm tarball", size: tarballSize(), wished: 150, most: 256 },
   ];
   console.log(tableRow("kB, compressed", "size", "wished", "at most"));
   for (const { what, size, wished, most } of rows) {

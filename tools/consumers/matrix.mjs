@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { npm } from "../commands.mjs";
 import { Obstacle } from "../obstacle.mjs";
 import { runCommand } from "../run-command.mjs";
+import { examples } from "./examples.mjs";
 import { requireEqual, requireReport } from "./expectation.mjs";
 import { serveBy, serveFolder } from "./servers.mjs";
 import { runSnippets } from "./snippets.mjs";
@@ -77,6 +78,7 @@ export const matrix = [
       await visitServer(folder, visitor, "#server");
     },
   },
+  ...examples,
 ];
 
 /**

@@ -8,6 +8,7 @@ import { Obstacle } from "../obstacle.mjs";
 
 /** @type {Record<string, string>} */
 const types = {
+  ".css": "text/css",
   ".html": "text/html",
   ".js": "text/javascript",
   ".json": "application/json",

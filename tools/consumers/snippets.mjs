@@ -1,11 +1,13 @@
 // The code blocks of README and docs, run as they stand, against the installed package. What a block prints is compared
-// with its comments "// → …"; blocks of Rust are the doctests of rust-core/docs.
+// with its comments "// → …" or "# → …"; blocks of Rust are the doctests of rust-core/docs, blocks of Python parts of examples
+// that soak runs.
 
 import { cpSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { delimiter, join } from "node:path";
 import { buildWidget } from "../build-widget.mjs";
+import { cargo } from "../commands.mjs";
 import { Obstacle } from "../obstacle.mjs";
-import { root } from "../paths.mjs";
+import { root, rustCore } from "../paths.mjs";
 import { runCommand } from "../run-command.mjs";
 import { requireEqual } from "./expectation.mjs";
 import { serveFolder } from "./servers.mjs";
@@ -31,7 +33,9 @@ export async function runSnippets(folder, visitor) {
       const name = `block-${index}.${block.language}`;
       if (block.language === "js") await runScript(block, folder, name);
       else if (block.language === "html") await visitPage(block, folder, name, server, visitor);
+      else if (block.language === "sh" && block.code.includes("# → ")) await runShell(block, folder);
       else if (block.language === "sh") requireCommands(block);
+      else if (block.language === "py") requireExample(block);
       else if (block.language === "rust") requireDoctest(block);
       else throw new Obstacle(`${block.place}: nothing here can run “${block.language}”.`);
     }
@@ -43,9 +47,13 @@ export async function runSnippets(folder, visitor) {
 /** Every code block of the documents. */
 function blocks() {
   const docs = readdirSync(join(root, "docs")).map((file) => `docs/${file}`);
-  const documents = ["README.md", "rust-core/bough/README.md", ...docs].filter((file) =>
-    file.endsWith(".md"),
-  );
+  const documents = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "examples/README.md",
+    "rust-core/bough/README.md",
+    ...docs,
+  ].filter((file) => file.endsWith(".md"));
   return documents.flatMap(blocksOf);
 }
 
@@ -71,6 +79,34 @@ async function runScript({ place, code }, folder, name) {
   const printed = await runCommand(place, [process.execPath, name], { cwd: folder, limit: 60 });
   const promised = [...code.matchAll(/\/\/ → (.*)$/gm)].map(([, text]) => text);
   if (promised.length > 0) requireEqual(printed, promised.join("\n"));
+}
+
+/**
+ * In a shell that finds the native binaries.
+ * @param {Block} block
+ * @param {string} folder
+ */
+async function runShell({ place, code }, folder) {
+  await runCommand("the native sweep", cargo("build", ["--quiet", "--package", "bough-sweep"]));
+  const env = { PATH: `${join(rustCore, "target", "debug")}${delimiter}${process.env.PATH}` };
+  // What comes out at the end of a pipe is told, not how each part of it has ended.
+  const printed = await runCommand(place, ["sh", "-c", `{ ${code}\n} 2>/dev/null`], {
+    cwd: folder,
+    env,
+    limit: 60,
+  });
+  const promised = [...code.matchAll(/^# → (.*)$/gm)].map(([, text]) => text);
+  requireEqual(printed, promised.join("\n"));
+}
+
+/**
+ * Its Python is part of an example, which soak runs.
+ * @param {Block} block
+ */
+function requireExample({ place, code }) {
+  const example = readFileSync(join(root, "examples", "dask", "sweep.py"), "utf8");
+  if (!example.includes(code.trim()))
+    throw new Obstacle(`${place}: its Python is not that of examples/dask/sweep.py.`);
 }
 
 /**
@@ -115,6 +151,7 @@ function requireCommands({ place, code }) {
     "npm start",
     "npm test",
     `npm install ${name}`,
+    "cargo build --release --package bough-sweep",
     `cargo add ${/^name = "(.+)"/m.exec(readFileSync(join(root, "rust-core/bough/Cargo.toml"), "utf8"))?.[1]}`,
   ];
   for (const line of code.split("\n")) {

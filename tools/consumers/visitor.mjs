@@ -14,7 +14,34 @@ export class Visitor {
    * @param {string} [options.text] selector of an element whose text comes back as well
    * @returns {Promise<{ report: string, text: string }>} what the page put into `globalThis.report`
    */
-  async visit(address, { expected = /^$/, text } = {}) {
+  visit(address, { expected = /^$/, text } = {}) {
+    return this.#on(address, expected, async (page) => {
+      await page.waitForFunction(() => "report" in globalThis, undefined, { timeout: 30_000 });
+      const report = await page.evaluate(() => Reflect.get(globalThis, "report"));
+      return { report, text: text ? await page.locator(text).innerText() : "" };
+    });
+  }
+
+  /**
+   * Waits until a page shows a text, as a person does, and goes on from there.
+   * @param {string} address
+   * @param {RegExp} text
+   * @param {(page: import("playwright").Page) => Promise<void>} [more]
+   */
+  watch(address, text, more) {
+    return this.#on(address, /^$/, async (page) => {
+      await page.locator("body").getByText(text).first().waitFor({ timeout: 60_000 });
+      await more?.(page);
+    });
+  }
+
+  /**
+   * @template Result
+   * @param {string} address
+   * @param {RegExp} expected
+   * @param {(page: import("playwright").Page) => Promise<Result>} look
+   */
+  async #on(address, expected, look) {
     this.#browser ??= launchChromium();
     const context = await (await this.#browser).newContext();
     const page = await context.newPage();
@@ -26,11 +53,10 @@ export class Visitor {
     });
     try {
       await page.goto(address);
-      await page.waitForFunction(() => "report" in globalThis, undefined, { timeout: 30_000 });
-      const report = await page.evaluate(() => Reflect.get(globalThis, "report"));
+      const found = await look(page);
       const unexpected = problems.filter((problem) => !expected.test(problem));
       if (unexpected.length > 0) throw new Obstacle(unexpected.join("\n"));
-      return { report, text: text ? await page.locator(text).innerText() : "" };
+      return found;
     } catch (error) {
       throw new Obstacle(`The page failed: ${error}`, { output: problems.join("\n") });
     } finally {

@@ -24,21 +24,48 @@ export class Workshop {
    * @param {Record<string, string>} [packages] versions of packages it needs besides its own
    */
   async install(fixture, packages = {}) {
-    const folder = mkdtempSync(join(this.#folder, `${fixture}-`));
-    cpSync(join(fixtures, fixture), folder, { recursive: true });
+    const folder = this.#copy(join(fixtures, fixture), fixture);
     for (const file of ["program.js", "plants.js"]) cpSync(join(fixtures, file), join(folder, file));
-    cpSync(this.#tarball, join(folder, "bough.tgz"));
     writeFileSync(join(folder, "fingerprint.js"), await plainFingerprint());
+    await this.#installIn(folder, fixture, packages);
+    return folder;
+  }
+
+  /**
+   * An example as somebody has it who copied its folder.
+   * @param {string} example a folder in examples
+   */
+  async installExample(example) {
+    const folder = this.#copy(join(root, "examples", example), example);
+    await this.#installIn(folder, `example ${example}`, {});
+    return folder;
+  }
+
+  /**
+   * @param {string} source
+   * @param {string} name
+   */
+  #copy(source, name) {
+    const folder = mkdtempSync(join(this.#folder, `${name}-`));
+    cpSync(source, folder, { recursive: true });
+    return folder;
+  }
+
+  /**
+   * @param {string} folder
+   * @param {string} name
+   * @param {Record<string, string>} packages
+   */
+  async #installIn(folder, name, packages) {
+    cpSync(this.#tarball, join(folder, "bough.tgz"));
     const manifest = join(folder, "package.json");
     const content = JSON.parse(readFileSync(manifest, "utf8"));
     if (content.dependencies["bough-next"]) await this.#packNext(folder);
-    writeFileSync(
-      manifest,
-      JSON.stringify({ ...content, devDependencies: { ...content.devDependencies, ...packages } }),
-    );
+    const dependencies = { ...content.dependencies, bough: "file:./bough.tgz" };
+    const devDependencies = { ...content.devDependencies, ...packages };
+    writeFileSync(manifest, JSON.stringify({ ...content, dependencies, devDependencies }));
     const quietly = ["--no-audit", "--no-fund", "--no-package-lock", "--prefer-offline"];
-    await runCommand(`installing ${fixture}`, [...npm(), "install", ...quietly], { cwd: folder, limit: 600 });
-    return folder;
+    await runCommand(`installing ${name}`, [...npm(), "install", ...quietly], { cwd: folder, limit: 600 });
   }
 
   close() {

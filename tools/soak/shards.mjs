@@ -9,6 +9,7 @@ import { runMatrix } from "../consumers/run-matrix.mjs";
 import { hosts } from "../hosts/matrix.mjs";
 import { packageFolder, root, rustCore } from "../paths.mjs";
 import { runCommand } from "../run-command.mjs";
+import { installFromPyPi } from "../setup/peers.mjs";
 import { leastRust } from "../setup/rust.mjs";
 import { buildPlates, comparePlates, looks, platesFolder } from "../visual/plates.mjs";
 import { fuzz, targets } from "./fuzz.mjs";
@@ -34,6 +35,7 @@ export const shards = [
   ...hosts.map(({ name, run }) => ({ job: "course", name: `a course page in ${name}`, run })),
   { job: "memory", name: "a million plants", run: memory },
   { job: "widgets", name: "thirty widgets and two dozen frames, five rounds of each", run: widgets },
+  { job: "sweeps", name: "ten thousand plants on workers of Dask", run: daskSweep },
   { job: "rust", name: "the oldest Rust that is promised", run: oldestRust },
   ...Array.from({ length: 10 }, (_, part) => ({
     job: "links",
@@ -92,6 +94,21 @@ async function walkAbout(seed) {
   return printed
     .split("\n")
     .filter((line) => /^seed \d+: /.test(line))
+    .join("\n");
+}
+
+/** The recipe of examples/dask. */
+async function daskSweep() {
+  const python = await installFromPyPi(join(root, "examples", "dask"), "Dask");
+  const build = cargo("build", ["--quiet", "--release", "--package", "bough-sweep"]);
+  await runCommand("the native sweep", build, { limit: 600 });
+  const binary = join(rustCore, "target", "release", "bough-sweep");
+  const script = join(root, "tests", "soak", "dask_sweep.py");
+  const printed = await runCommand("a sweep on Dask", [python, script, binary, "3"], { limit: 1800 });
+  // Dask itself tells of the worker that is lost.
+  return printed
+    .split("\n")
+    .filter((line) => !line.includes("distributed."))
     .join("\n");
 }
 

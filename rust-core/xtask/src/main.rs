@@ -2,12 +2,13 @@
 //!
 //! ```text
 //! xtask glue <wasm> <folder> <name>    JavaScript and types that load the wasm
-//! xtask declaration <folder>           declaration.ts and params.ts
+//! xtask declaration <folder>           declaration.ts, params.ts and measures.ts
 //! xtask reference [--check] <file>     the table of parameters in the docs; --check fails when it is stale
 //! ```
 
 mod declaration;
 mod glue;
+mod measures;
 mod reference;
 mod text;
 mod typescript;
@@ -32,7 +33,8 @@ fn main() -> Result<()> {
 
 fn write_declaration(folder: &Path) -> Result<()> {
     write(&folder.join("declaration.ts"), &declaration::module()?)?;
-    write(&folder.join("params.ts"), &typescript::module()?)
+    write(&folder.join("params.ts"), &typescript::module()?)?;
+    write(&folder.join("measures.ts"), &measures::module())
 }
 
 fn write(file: &Path, content: &str) -> Result<()> {

@@ -1,6 +1,7 @@
 /** How finely limbs are cut into triangles. */
 import type { Polylines } from "../plant/plant.ts";
 
+/** How finely limbs are cut. */
 export interface Detail {
   /** Rings a segment. */
   readonly rings: number;
@@ -27,8 +28,11 @@ const tiers: readonly [Detail, ...Detail[]] = [
 /** Drawn at once without effort. */
 const mostVertices = 260_000;
 
-/** The finest detail that is drawn without effort. The coarsest has 8 vertices for an axis of up to five segments. */
-export function detailFor(polylines: Polylines): Detail {
+/**
+ * The finest detail with at most so many vertices, or as is drawn without effort. The coarsest has 8 vertices for an axis of
+ * up to five segments: a plant of very many axes may have more than is asked for.
+ */
+export function detailFor(polylines: Polylines, most: number = mostVertices): Detail {
   const { offsets, radii } = polylines;
   const thickest = thickestOf(polylines);
   const fits = (detail: Detail) => {
@@ -39,7 +43,7 @@ export function detailFor(polylines: Polylines): Detail {
       const sides = sidesFor((radii[first] ?? 0) / thickest, detail);
       vertices += ringsOf(spans, detail, axis > 0) * sides + 2;
     }
-    return vertices <= mostVertices;
+    return vertices <= most;
   };
   return tiers.find(fits) ?? tiers[tiers.length - 1] ?? tiers[0];
 }

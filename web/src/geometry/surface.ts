@@ -18,8 +18,10 @@ export class Surface {
   normals = new Float32Array(0);
   /** Place on the surface: cosine and sine of the angle around the axis, arc length from the axis's start in m; shape 3V. No seam. */
   grain = new Float32Array(0);
-  /** Index of the segment, for colouring by its values; shape V. */
+  /** Index of the segment, for its values; shape V. */
   segments = new Uint32Array(0);
+  /** How far along the segment, from 0 at its base to 1 at its end; shape V. */
+  shares = new Float32Array(0);
   /** Growth steps since the segment's birth, blended between neighbours; shape V. */
   ages = new Float32Array(0);
   /** Place on the colour scale, 0 to 1, if there are shades; shape V. */
@@ -34,22 +36,30 @@ export class Surface {
   recut = true;
 
   /** What the vertices of the next ring share: their segment, age and shade. */
-  protected readonly wood = { segment: 0, age: 0, shade: 0 };
+  protected readonly wood = { segment: 0, share: 0, age: 0, shade: 0 };
+  /** Whether each ring ends with its first corner once more: a texture around the limb needs that, and nothing else does. */
+  protected readonly seam: boolean;
   /** Rings and sides of the tubes that `index` connects. */
   #cuts = new Uint32Array(0);
+
+  constructor(seam = false) {
+    this.seam = seam;
+  }
 
   /** Makes room for these tubes and connects them. Returns whether the arrays are new ones (the old were too short). */
   protected prepare(tubes: readonly Cut[]): boolean {
     const cuts = new Uint32Array(2 * tubes.length);
     let corners = 0;
+    let quads = 0;
     this.recut = cuts.length !== this.#cuts.length;
     for (const [i, { rings, sides }] of tubes.entries()) {
       if (this.#cuts[2 * i] !== rings || this.#cuts[2 * i + 1] !== sides) this.recut = true;
       cuts[2 * i] = rings;
       cuts[2 * i + 1] = sides;
-      corners += rings * sides;
+      quads += rings * sides;
+      corners += rings * this.#around(sides);
     }
-    const renewed = this.#reserve(corners + cuts.length, 6 * corners);
+    const renewed = this.#reserve(corners + cuts.length, 6 * quads);
     this.recut ||= renewed;
     this.#cuts = cuts;
     if (this.recut) this.#connect();
@@ -57,16 +67,24 @@ export class Surface {
     return renewed;
   }
 
+  /** Corners of a ring with so many sides. */
+  #around(sides: number): number {
+    return this.seam ? sides + 1 : sides;
+  }
+
+  /** Exact for the first plant, which mostly stays the only one. */
   #reserve(vertices: number, indices: number): boolean {
     if (vertices <= this.ages.length && indices <= this.index.length) return false;
-    const room = Math.ceil(1.5 * vertices);
+    const reserve = this.ages.length > 0 ? 1.5 : 1;
+    const room = Math.ceil(reserve * vertices);
     this.positions = new Float32Array(3 * room);
     this.normals = new Float32Array(3 * room);
     this.grain = new Float32Array(3 * room);
     this.segments = new Uint32Array(room);
+    this.shares = new Float32Array(room);
     this.ages = new Float32Array(room);
     this.shades = new Float32Array(room);
-    this.index = new Uint32Array(Math.ceil(1.5 * indices));
+    this.index = new Uint32Array(Math.ceil(reserve * indices));
     return true;
   }
 
@@ -83,16 +101,17 @@ export class Surface {
     };
     for (let i = 0; i < cuts.length; i += 2) {
       const sides = cuts[i + 1] ?? 0;
-      const end = start + 1 + (cuts[i] ?? 0) * sides;
+      const around = this.#around(sides);
+      const end = start + 1 + (cuts[i] ?? 0) * around;
       for (let side = 0; side < sides; side++) {
-        const next = (side + 1) % sides;
+        const next = (side + 1) % around;
         triangle(start, start + 1 + next, start + 1 + side);
-        for (let below = start + 1; below + sides < end; below += sides) {
-          const above = below + sides;
+        for (let below = start + 1; below + around < end; below += around) {
+          const above = below + around;
           triangle(below + side, below + next, above + side);
           triangle(below + next, above + next, above + side);
         }
-        triangle(end, end - sides + side, end - sides + next);
+        triangle(end, end - around + side, end - around + next);
       }
       start = end + 1;
     }
@@ -113,8 +132,8 @@ export class Surface {
     shift: number,
     along: number,
   ): void {
-    const { positions, normals, grain, segments, ages, shades } = this;
-    const { segment, age, shade } = this.wood;
+    const { positions, normals, grain, segments, shares, ages, shades } = this;
+    const { segment, share, age, shade } = this.wood;
     const { position, tangent, normal, binormal } = frame;
     // Numbers, not array elements: nothing is read again for each corner.
     const [tx, ty, tz] = [tangent[0] ?? 0, tangent[1] ?? 0, tangent[2] ?? 0];
@@ -141,6 +160,7 @@ export class Surface {
       grain[at + 1] = sine;
       grain[at + 2] = along + shift;
       segments[vertex] = segment;
+      shares[vertex] = share;
       ages[vertex] = age;
       shades[vertex] = shade;
       vertex++;
@@ -151,17 +171,19 @@ export class Surface {
 
 const circles = new Map<number, Float64Array>();
 
-/** Cosine and sine of the angle of each corner of a ring with so many sides. */
-export function circleOf(sides: number): Float64Array {
-  let circle = circles.get(sides);
+/** Cosine and sine of the angle of each corner of a ring with so many sides, of which one starts over where the last ends. */
+export function circleOf(corners: number, sides = corners): Float64Array {
+  const key = corners === sides ? sides : -sides;
+  let circle = circles.get(key);
   if (!circle) {
-    circle = new Float64Array(2 * sides);
-    for (let side = 0; side < sides; side++) {
-      const angle = (2 * Math.PI * side) / sides;
+    circle = new Float64Array(2 * corners);
+    for (let side = 0; side < corners; side++) {
+      // The last corner of a seam has the very numbers of the first.
+      const angle = (2 * Math.PI * (side % sides)) / sides;
       circle[2 * side] = Math.cos(angle);
       circle[2 * side + 1] = Math.sin(angle);
     }
-    circles.set(sides, circle);
+    circles.set(key, circle);
   }
   return circle;
 }

@@ -47,7 +47,7 @@ export class Tubes extends Surface {
       const rings = ringsOf(end - first - 1, detail, leaves);
       if (rings === 0) continue;
       const sides = sidesFor((radii[first] ?? 0) / thickest, detail);
-      const circle = circleOf(sides);
+      const circle = circleOf(this.seam ? sides + 1 : sides, sides);
       const bears = topology.bears[axis] === 1;
       limbs.push({
         axes,
@@ -216,6 +216,7 @@ export class Tubes extends Surface {
     const born = birth[own] ?? 0;
     const bornBefore = birth[before] ?? born;
     wood.segment = own;
+    wood.share = u;
     wood.age = axes.report.steps - (bornBefore + u * (born - bornBefore));
     if (!shades) return;
     // A segment's value is that of its base joint.

@@ -7,8 +7,10 @@ import type { Engine, EngineOptions } from "../engine/engine.ts";
 import { type Pool, type PoolOptions, startPoolOn } from "../engine/pool.ts";
 import type { Reply } from "../engine/protocol.ts";
 import { type Host, type Parts, startOn } from "../engine/start.ts";
+import { type Sweep, type SweepAxes, type SweepOptions, sweepOver } from "../engine/sweep.ts";
 import { engineInThread } from "../engine/thread.ts";
 import { load } from "../engine/wasm.ts";
+import type { ParamsInput } from "../params/params.ts";
 import { fromDisk } from "./node-disk.ts";
 
 export * from "./worker-api.ts";
@@ -29,6 +31,19 @@ export function startEngine(options: EngineOptions = {}): Promise<Engine> {
 /** Several worker threads behind one queue, for many plants at once. */
 export function startPool(options: PoolOptions = {}): Promise<Pool> {
   return startPoolOn(node, options);
+}
+
+/**
+ * Grows many plants at once and tells of them in columns: of one set of params or of a list of them, with every combination of
+ * the axes' values. Bad params spoil their own row only.
+ * @throws {BoughError} if an axis is no parameter
+ */
+export function sweep(
+  params: ParamsInput | readonly ParamsInput[],
+  axes: SweepAxes = {},
+  options: SweepOptions = {},
+): Promise<Sweep> {
+  return sweepOver(startPool, params, axes, options);
 }
 
 function connection({ script, module }: Parts): Connect {

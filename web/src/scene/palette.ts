@@ -1,14 +1,12 @@
 /** The colours of the picture, for paper and for the dark. */
 
+import { type BarkColors, barkColors } from "../three/bark.ts";
+
 /** The two looks a picture can have. */
 export type Tone = "light" | "dark";
 
 /** Colours as CSS hex; strengths as three.js light intensities. */
-export interface Palette {
-  /** The newest wood, at the tips. */
-  readonly shoot: string;
-  readonly youngWood: string;
-  readonly bark: string;
+export interface Palette extends BarkColors {
   /** Of the model: rigid segments, springs and masses. */
   readonly rod: string;
   readonly spring: string;
@@ -30,9 +28,7 @@ export interface Palette {
 
 export const palettes: Readonly<Record<Tone, Palette>> = {
   light: {
-    shoot: "#a9bd5c",
-    youngWood: "#84a04e",
-    bark: "#80644b",
+    ...barkColors.light,
     rod: "#6d6f66",
     spring: "#c0702c",
     mass: "#39512a",
@@ -49,9 +45,7 @@ export const palettes: Readonly<Record<Tone, Palette>> = {
     rim: 0.5,
   },
   dark: {
-    shoot: "#bfd074",
-    youngWood: "#98b45e",
-    bark: "#a08064",
+    ...barkColors.dark,
     rod: "#a9aba0",
     spring: "#e8a062",
     mass: "#b9d58c",

@@ -4,11 +4,11 @@ import type { Frame } from "../geometry/frame.ts";
 import { type Lumping, modelOf } from "../geometry/model.ts";
 import { type Paint, shadesOf } from "../geometry/shade.ts";
 import type { Axes } from "../geometry/tube.ts";
+import { Limbs } from "../three/limbs.ts";
 import { Ground } from "./ground.ts";
 import { Light } from "./light.ts";
 import { ModelMesh } from "./model.ts";
 import { palettes, type Tone } from "./palette.ts";
-import { PlantMesh } from "./plant.ts";
 import { Stand } from "./stand.ts";
 
 /** How a plant is drawn. */
@@ -29,7 +29,7 @@ export class World {
   readonly scene = new Scene();
   /** Holds the plant in m and turns it into scene units. */
   readonly #meters = new Group();
-  readonly #plant = new PlantMesh();
+  readonly #limbs = new Limbs();
   readonly #model = new ModelMesh();
   readonly #light = new Light();
   readonly #ground = new Ground();
@@ -38,7 +38,9 @@ export class World {
 
   constructor() {
     this.#meters.matrixAutoUpdate = false;
-    this.#meters.add(this.#plant.mesh, this.#model.group);
+    // The camera follows the plant: it is never out of sight as a whole.
+    this.#limbs.frustumCulled = false;
+    this.#meters.add(this.#limbs, this.#model.group);
     this.scene.add(this.#light.group, this.#ground.group, this.#stand.mesh, this.#meters);
   }
 
@@ -47,7 +49,7 @@ export class World {
     if (tone === this.#tone) return;
     this.#tone = tone;
     const palette = palettes[tone];
-    this.#plant.material.tint(palette);
+    this.#limbs.material.tint(palette);
     this.#model.tint(palette);
     this.#light.tint(palette);
     this.#ground.tint(palette);
@@ -57,15 +59,15 @@ export class World {
   /** Takes the shape of a plant. */
   show(axes: Axes, { grownSteps, girth, paint, model, extent }: Look): void {
     const shades = paint && shadesOf(paint.color, axes, paint.range);
-    this.#plant.mesh.visible = model === null;
+    this.#limbs.visible = model === null;
     this.#model.group.visible = model !== null;
     if (model) {
       this.#model.show(modelOf(axes, extent, model), shades, paint?.colors ?? []);
       return;
     }
-    this.#plant.show(axes, girth, shades);
-    this.#plant.material.age(grownSteps);
-    this.#plant.material.paint(paint?.colors ?? null);
+    this.#limbs.geometry.update(axes, { girth, shades });
+    this.#limbs.material.age(grownSteps);
+    this.#limbs.material.paint(paint?.colors ?? null);
   }
 
   /** Puts a frame in front of the camera; `foot` is the drawn radius of the plant's base, m. */
@@ -73,14 +75,14 @@ export class World {
     const unit = 1 / frame.height;
     placedAt(frame, this.#meters.matrix);
     const { x, y, z } = new Vector3().setFromMatrixPosition(this.#meters.matrix);
-    this.#plant.material.measure(unit);
+    this.#limbs.material.measure(unit);
     this.#ground.place({ x, z }, y + frame.ground * unit, frame.ground < 0 ? 0 : foot * unit);
     this.#stand.place({ x, y, z }, y + frame.ground * unit, foot * unit);
     this.scene.updateMatrixWorld();
   }
 
   dispose(): void {
-    this.#plant.dispose();
+    this.#limbs.dispose();
     this.#model.dispose();
     this.#light.dispose();
     this.#ground.dispose();

@@ -63,20 +63,39 @@ fn forces(flat: &[f64]) -> Vec<Issue> {
     issues
 }
 
+impl Parameter {
+    /// The issue of a value that is of another type than the parameter takes, or, if it is the name of an option, of none that there
+    /// is. `given` says in words what it is.
+    pub fn wrong_type(&self, given: &str, is_text: bool) -> Issue {
+        let Parameter { path, min, max, kind, .. } = *self;
+        let (mut wanted, range) = wanted(self);
+        if kind == Kind::Forces {
+            wanted = "a list of {segment, force: [x, y, z]}".to_owned();
+        }
+        let code = if is_text && matches!(kind, Kind::Choice(_)) { "notAnOption" } else { "wrongType" };
+        let pattern = format!("{path} must be {wanted}; it is {}.", given.replace("{}", "{ }"));
+        let numbers: &[f64] = if range { &[min, max] } else { &[] };
+        let (min, max) = if range { (Some(min), Some(max)) } else { (None, None) };
+        Issue { code, path, value: f64::NAN, sentence: Sentence::new(pattern, numbers), min, max }
+    }
+}
+
+/// What a parameter takes, in words, and whether they have places for the ends of its range.
+fn wanted(Parameter { unit, kind, .. }: &Parameter) -> (String, bool) {
+    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    match kind {
+        Kind::Integer => (format!("a whole number from {{}} to {{}}{unit}"), true),
+        Kind::Choice(options) => (format!("one of {}", options.join(", ")), false),
+        Kind::Flag => ("true or false".to_owned(), false),
+        Kind::Number => (format!("a number from {{}} to {{}}{unit}"), true),
+        Kind::Optional => (format!("a number from {{}} to {{}}{unit}, or null"), true),
+        Kind::Vector | Kind::Forces => (format!("three numbers, each from {{}} to {{}}{unit}"), true),
+    }
+}
+
 /// What is wrong with one number of one parameter.
 fn problem(parameter: &Parameter, value: f64) -> Option<Issue> {
-    let Parameter { path, min, max, unit, kind, .. } = *parameter;
-    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-    let (wanted, numbers): (_, &[f64]) = match kind {
-        Kind::Integer => (format!("a whole number from {{}} to {{}}{unit}"), &[min, max, value]),
-        Kind::Choice(options) => (format!("one of {}", options.join(", ")), &[value]),
-        Kind::Flag => ("true or false".to_owned(), &[value]),
-        Kind::Number => (format!("a number from {{}} to {{}}{unit}"), &[min, max, value]),
-        Kind::Optional => (format!("a number from {{}} to {{}}{unit}, or null"), &[min, max, value]),
-        Kind::Vector | Kind::Forces => {
-            (format!("three numbers, each from {{}} to {{}}{unit}"), &[min, max, value])
-        }
-    };
+    let Parameter { path, min, max, kind, .. } = *parameter;
     let whole = libm::floor(value) == value;
     let code = match kind {
         Kind::Optional if value.is_nan() => return None,
@@ -86,6 +105,8 @@ fn problem(parameter: &Parameter, value: f64) -> Option<Issue> {
         Kind::Integer if !whole => "notInteger",
         _ => return None,
     };
+    let (wanted, range) = wanted(parameter);
+    let numbers: &[f64] = if range { &[min, max, value] } else { &[value] };
     let sentence = Sentence::new(format!("{path} must be {wanted}; it is {{}}."), numbers);
     Some(Issue { code, path, value, sentence, min: Some(min), max: Some(max) })
 }

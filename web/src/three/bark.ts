@@ -1,6 +1,19 @@
 /** The skin of limbs: green young wood that turns to furrowed bark with age. */
 import { Color, DataTexture, LinearFilter, MeshStandardMaterial, SRGBColorSpace } from "three";
-import type { Palette } from "./palette.ts";
+
+/** The colours of wood as it ages, as CSS hex. */
+export interface BarkColors {
+  /** The newest wood, at the tips. */
+  readonly shoot: string;
+  readonly youngWood: string;
+  readonly bark: string;
+}
+
+/** Colours for a light background, and for a dark one. */
+export const barkColors: Readonly<Record<"light" | "dark", BarkColors>> = {
+  light: { shoot: "#a9bd5c", youngWood: "#84a04e", bark: "#80644b" },
+  dark: { shoot: "#bfd074", youngWood: "#98b45e", bark: "#a08064" },
+};
 
 const vertexHead = /* glsl */ `
 attribute vec3 grain;
@@ -85,7 +98,7 @@ outgoingLight *= mix(0.6, 1.0, smoothstep(0.0, 0.45, facing));
 #include <opaque_fragment>
 `;
 
-/** The material of limbs. Its geometry must have the attributes `grain`, `age` and `shade` of `Tubes`. */
+/** The material of limbs: it takes the attributes `grain`, `age` and `shade` of `LimbGeometry`. */
 export class Bark extends MeshStandardMaterial {
   readonly #uniforms = {
     shoot: { value: new Color() },
@@ -100,18 +113,19 @@ export class Bark extends MeshStandardMaterial {
     painted: { value: 0 },
   };
 
-  constructor() {
+  constructor(colors: BarkColors = barkColors.light) {
     super({ roughness: 0.82, metalness: 0 });
+    this.tint(colors);
   }
 
   /** Takes over the colours. */
-  tint({ shoot, youngWood, bark }: Palette): void {
+  tint({ shoot, youngWood, bark }: BarkColors): void {
     this.#uniforms.shoot.value.set(shoot);
     this.#uniforms.youngWood.value.set(youngWood);
     this.#uniforms.bark.value.set(bark);
   }
 
-  /** Says how many scene units a metre has. */
+  /** Says how many scene units a metre has: the furrows of a plant one unit large are as fine as they look best. */
   measure(unit: number): void {
     this.#uniforms.unit.value = unit;
   }
