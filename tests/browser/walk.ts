@@ -71,7 +71,9 @@ export async function walk(browser: Browser, site: string, seed: number, actions
       if (walker.chance(0.2)) counts.compared += await comparePlant(page);
       // After an undo the way back leads elsewhere.
       const wentBack = /^(key Control|click on (Undo|Redo))/.test(done.at(-1) ?? "");
-      if (page.url() !== before && !wentBack && walker.chance(0.3))
+      // What is pinned is in the address, and no step of the history.
+      const changed = meaning(page.url()) !== meaning(before);
+      if (changed && !wentBack && walker.chance(0.3))
         counts.undone += await undoAndRedo(walker, before, counts);
     }
   } catch (error) {
