@@ -16,6 +16,13 @@ import { setUpForTests } from "./setup.mjs";
 /** What a figure is drawn at; the sheet shows it half as large, which smooths it. px */
 const picture = { width: 600, height: 450 };
 
+/** What stands above the sheets. */
+const titles = {
+  paper: `The figures of <cite>A Biomechanical Model of Branch Shape in Plants</cite>
+    (Jirasek &amp; Prusinkiewicz 1998), as Bough grows them`,
+  species: "Plants one knows, as Bough grows them",
+};
+
 /** Leaves of the page only the plant, on nothing. */
 const onlyPlant = `
   html, body { background: none !important; }
@@ -64,7 +71,10 @@ async function drawPresets(browser) {
       figures.push(await draw(browser, server.resolvedUrls?.local[0] ?? "", id, preset));
       console.log(`${id}: ${preset.title}`);
     }
-    await writeFile(join(root, "docs", "figures.png"), await makeSheet(browser, figures));
+    const paper = figures.filter(({ id }) => id.startsWith("figure-"));
+    await writeFile(join(root, "docs", "figures.png"), await makeSheet(browser, paper, titles.paper));
+    const species = figures.filter((figure) => !paper.includes(figure));
+    await writeFile(join(root, "docs", "species.png"), await makeSheet(browser, species, titles.species));
     figures.push(await draw(browser, server.resolvedUrls?.local[0] ?? "", null, { title: "", params: {} }));
     const thumbnails = join(root, "public", "presets");
     await mkdir(thumbnails, { recursive: true });

@@ -72,6 +72,8 @@ describe("the default plant", () => {
       unstableSince: null,
       steppingError: null,
       selfBuckling: null,
+      safetyFactor: expect.any(Number),
+      breaksFirst: 0,
       residual: expect.any(Number),
       worstStepResidual: expect.any(Number),
       iterations: expect.any(Number),
@@ -79,6 +81,8 @@ describe("the default plant", () => {
       gravityNumber: expect.closeTo((4 * 1000 * 3 * 1.5 ** 3) / (1e9 * 0.005 ** 2), 9),
     });
     expect(report.residual).toBeLessThanOrEqual(1e-10);
+    const stress = grow({ loads: { gravity: 3 } }).segments.stress[0] ?? 0;
+    expect(report.safetyFactor).toBe(params.material.modulusOfRupture / stress);
     expect(params).toEqual({ ...defaults, loads: { ...defaults.loads, gravity: 3 } });
     expect(made).toBe(version);
   });

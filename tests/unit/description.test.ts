@@ -4,6 +4,7 @@ import {
   describe as described,
   gravitySentence,
   solverSentence,
+  strengthSentence,
 } from "../../web/src/element/description.ts";
 import { complete } from "../../web/src/params/params.ts";
 import type { Plant, Report } from "../../web/src/plant/plant.ts";
@@ -20,6 +21,8 @@ const sound: Report = {
   gravityNumber: 5,
   steppingError: null,
   selfBuckling: null,
+  safetyFactor: 4.08,
+  breaksFirst: 1,
 };
 
 describe("the description", () => {
@@ -45,6 +48,15 @@ describe("the description", () => {
         "Weight and stiffness are a match: the axis arches. " +
         "In stable equilibrium (3e−12 of the largest torque is left over).",
     );
+    expect(strengthSentence(plant)).toBe(
+      "It would break first 70.7 cm from the base, at 4.08 times this stress.",
+    );
+    const broken = { ...plant, report: { ...sound, safetyFactor: 0.8, breaksFirst: 0 } };
+    const sentence = "It breaks under this load, first at the base; it is shown as if it held.";
+    expect(strengthSentence(broken)).toBe(sentence);
+    expect(described(broken)).toContain(sentence);
+    const unstressed = { ...plant, report: { ...sound, safetyFactor: null, breaksFirst: null } };
+    expect(strengthSentence(unstressed)).toBe("");
   });
 
   it.each([

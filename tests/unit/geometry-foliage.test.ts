@@ -9,7 +9,7 @@ const helix = handMade({
 });
 helix.segments.length.fill(Math.hypot(2 * Math.sin(0.05), 0.05));
 helix.segments.radius.fill(0.02);
-const habit = { youth: 20, spacing: 0.1, size: 0.2, divergence: 137.5, angle: 55, light: 0 };
+const habit = { youth: 20, spacing: 0.1, size: 0.2, divergence: 137.5, angle: 55, light: 0, bare: 0 };
 
 type Triple = [number, number, number];
 const column = (matrices: Float32Array, leaf: number, k: number) =>

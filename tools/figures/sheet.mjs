@@ -1,13 +1,14 @@
-// The contact sheet: every figure with its number and title, grouped as in the paper.
+// The contact sheets: every figure with its number and title, grouped as in the paper; and the plants that one knows.
 
 /**
  * @param {import("playwright").Browser} browser
  * @param {readonly import("../figures.mjs").Figure[]} figures
+ * @param {string} heading HTML
  * @returns {Promise<Buffer>} PNG
  */
-export async function makeSheet(browser, figures) {
-  const page = await browser.newPage({ viewport: { width: 1600, height: 1000 } });
-  await page.setContent(sheet(figures));
+export async function makeSheet(browser, figures, heading) {
+  const page = await browser.newPage({ viewport: { width: 1600, height: 100 } });
+  await page.setContent(sheet(figures, heading));
   const images = page.locator("img");
   await images.evaluateAll((all) => Promise.all(all.map((image) => /** @type {any} */ (image).decode())));
   const image = await page.screenshot({ fullPage: true });
@@ -15,13 +16,15 @@ export async function makeSheet(browser, figures) {
   return image;
 }
 
-/** @param {readonly import("../figures.mjs").Figure[]} figures */
-function sheet(figures) {
+/**
+ * @param {readonly import("../figures.mjs").Figure[]} figures
+ * @param {string} heading
+ */
+function sheet(figures, heading) {
   const numbers = [...new Set(figures.map(({ id }) => numberOf(id)))];
   const groups = numbers.map((number) => group(figures.filter(({ id }) => numberOf(id) === number)));
   return `<!doctype html><meta charset="utf-8"><style>${style}</style>
-    <h1>The figures of <cite>A Biomechanical Model of Branch Shape in Plants</cite>
-      (Jirasek &amp; Prusinkiewicz 1998), as Bough grows them</h1>
+    <h1>${heading}</h1>
     <main>${groups.join("")}</main>`;
 }
 
@@ -51,7 +54,8 @@ function numberOf(id) {
   return id.replace(/^figure-(\d+).*$/, "$1");
 }
 
-/** @param {string} id "figure-8a" is figure 8 a */
+/** @param {string} id "figure-8a" is figure 8 a; a plant has its title alone */
 function nameOf(id) {
+  if (!id.startsWith("figure-")) return "";
   return id.replace(/^figure-(\d+)(.*)$/, "$1 $2").trim();
 }

@@ -211,12 +211,14 @@ impl Plant {
         forces.flat_map(flat).collect()
     }
 
-    /// `report.residual`, `.worstStepResidual`, `.iterations`, `.steps`, `.gravityNumber`, `.steppingError` and `.selfBuckling`,
-    /// NaN where there is none.
+    /// `report.residual`, `.worstStepResidual`, `.iterations`, `.steps`, `.gravityNumber`, `.steppingError`, `.selfBuckling`,
+    /// `.safetyFactor`, `.breaksFirst`; NaN stands for null.
     pub fn figures(&self) -> Vec<f64> {
         let Report { residual, worst_step_residual, iterations, steps, gravity_number, .. } = *self.report();
-        let [error, buckling] = [self.report().stepping_error, self.report().self_buckling]
-            .map(|figure| figure.unwrap_or(f64::NAN));
+        let Report { stepping_error, self_buckling, safety_factor, breaks_first, .. } = *self.report();
+        let [error, buckling, safety, first] =
+            [stepping_error, self_buckling, safety_factor, breaks_first.map(f64::from)]
+                .map(|figure| figure.unwrap_or(f64::NAN));
         vec![
             residual,
             worst_step_residual,
@@ -225,6 +227,8 @@ impl Plant {
             gravity_number,
             error,
             buckling,
+            safety,
+            first,
         ]
     }
 }

@@ -33,3 +33,24 @@ fn an_age_is_the_same_whichever_way_it_is_reached() {
         }
     }
 }
+
+/// A fault that random params found: steps that did not converge counted how often sines had been turned before a return.
+#[test]
+fn an_age_that_did_not_converge_is_the_same_too() {
+    let mut params = Params::default();
+    params.axis.segments = 6;
+    params.axis.segment_length = 1.0;
+    params.axis.radius = 3.6e-6;
+    params.axis.elevation = bough::angle::Degrees(76.0);
+    params.material.youngs_modulus = 1.0;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 1;
+    params.loads.gravity = 1e6;
+    params.loads.tip_force = [-1e12, 0.0, 0.0];
+    params.solver.tolerance = 1e-14;
+    let mut history = History::new(&params).unwrap();
+    for step in [7, 2, 3, 4, 9, 5, 8] {
+        let fresh = History::new(&params).unwrap().at(step);
+        assert_eq!(history.at(step), fresh, "step {step}");
+    }
+}

@@ -219,3 +219,22 @@ fn figures_13_d_and_17_d_stand_around_a_stem() {
         assert_eq!(plant.segments.moment[axes - 1], alone.segments.moment[0]);
     }
 }
+
+#[test]
+fn a_bare_trunk_lifts_what_stands_around_a_stem() {
+    let mut params = Params::default();
+    params.axis.segments = 12;
+    params.arrangement.pattern = bough::params::ArrangementPattern::Stem;
+    params.arrangement.count = 4;
+    let low = grown(&params, None);
+    params.arrangement.trunk = 2.5;
+    let high = grown(&params, None);
+    assert_eq!(high.segments.length[0], 2.5 + params.arrangement.spacing);
+    let points = low.polylines.points.chunks(3).zip(high.polylines.points.chunks(3));
+    for (point, (low, high)) in points.enumerate() {
+        let lifted = if point == 0 { 0.0 } else { 2.5 };
+        assert_eq!((low[0], low[2]), (high[0], high[2]));
+        assert!((high[1] - low[1] - lifted).abs() < 1e-14);
+    }
+    assert_eq!(low.segments.moment, high.segments.moment);
+}

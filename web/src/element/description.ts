@@ -1,7 +1,7 @@
 /** The plant in words: what the picture shows, for readers and for those who do not see it. */
 import { quantityText } from "../form/quantity.ts";
-import { measure } from "../geometry/measure.ts";
-import type { Plant, Report } from "../plant/plant.ts";
+import { measure, pathTo } from "../geometry/measure.ts";
+import { isBroken, type Plant, type Report } from "../plant/plant.ts";
 
 /** What the gravity number means for an axis. */
 export function gravitySentence(q: number): string {
@@ -35,6 +35,17 @@ function advice(lostAt: number): string {
   return ` It last stood at step ${lostAt - 1}; a larger radius or Young's modulus, or less gravity, lets it stand longer.`;
 }
 
+/** How far the plant is from breaking, and where it would; empty while nothing is stressed. */
+export function strengthSentence(plant: Plant): string {
+  const { safetyFactor, breaksFirst } = plant.report;
+  if (safetyFactor === null || breaksFirst === null) return "";
+  const path = pathTo(plant, breaksFirst);
+  const where = path === 0 ? "at the base" : `${size(path)} from the base`;
+  return safetyFactor < 1
+    ? `It breaks under this load, first ${where}; it is shown as if it held.`
+    : `It would break first ${where}, at ${quantityText(safetyFactor, "")} times this stress.`;
+}
+
 /** The whole plant in a few sentences. */
 export function describe(plant: Plant): string {
   const { params, segments, polylines, report } = plant;
@@ -49,6 +60,7 @@ export function describe(plant: Plant): string {
     `${whole}, ${size(length)} long, leaves its base at ${angle(params.axis.elevation)}.`,
     `Its tip is ${sideways} of the base and ${upwards}, and points ${angle(tipElevation)}.`,
     `${gravitySentence(report.gravityNumber)} ${solverSentence(report)}`,
+    ...(isBroken(report) ? [strengthSentence(plant)] : []),
   ].join(" ");
 }
 

@@ -121,6 +121,8 @@ figcaption { padding: 0.5rem 0.8rem; border-top: 1px solid var(--line); color: v
 .annotation :is(.ground-line, .horizontal) { opacity: 0.6; }
 .annotation .rest-direction { stroke-dasharray: 5 4; }
 .annotation .future { opacity: 0.75; stroke-dasharray: 0.1 5; stroke-linecap: round; stroke-width: 1.5; }
+.annotation path.break { stroke: light-dark(#9a3412, #f5b08a); stroke-width: 2.5; }
+.annotation text.break { fill: light-dark(#9a3412, #f5b08a); }
 .annotation .scale-bar { stroke: var(--ink); stroke-width: 1.25; }
 @media print {
   .enter, .leave { display: none; }

@@ -182,9 +182,7 @@ function copied(plant: glue.Plant): Shape {
 function reported(plant: glue.Plant): Report {
   const figures = plant.figures();
   const [residual = 0, worstStepResidual = 0, iterations = 0, steps = 0, gravityNumber = 0] = figures;
-  const [steppingError, selfBuckling] = Array.from(figures.subarray(5), (figure) =>
-    Number.isNaN(figure) ? null : figure,
-  );
+  const there = (figure = Number.NaN) => (Number.isNaN(figure) ? null : figure);
   return {
     status: plant.status as Status,
     stable: plant.stable ?? null,
@@ -194,7 +192,9 @@ function reported(plant: glue.Plant): Report {
     iterations,
     steps,
     gravityNumber,
-    steppingError: steppingError ?? null,
-    selfBuckling: selfBuckling ?? null,
+    steppingError: there(figures[5]),
+    selfBuckling: there(figures[6]),
+    safetyFactor: there(figures[7]),
+    breaksFirst: there(figures[8]),
   };
 }

@@ -59,9 +59,9 @@ function thumbnail(id: string): TemplateResult {
   return html`<img src="presets/${id}.webp" alt="" width="160" height="120" loading="lazy" decoding="async" @error=${hide} />`;
 }
 
-/** "figure-8a" is "Figure 8 a". */
+/** "figure-8a" is "Figure 8 a"; what is not of the paper is a plant. */
 function plateName(id: string | null): string {
   if (id === null) return "Default";
   const [, number, letter] = /^figure-(\d+)(\w*)$/.exec(id) ?? [];
-  return number === undefined ? "Plate" : `Figure ${number} ${letter ?? ""}`.trim();
+  return number === undefined ? "Plant" : `Figure ${number} ${letter ?? ""}`.trim();
 }

@@ -11,7 +11,11 @@ const colorNames: Readonly<Record<State["color"], string>> = {
   curvature: "Curvature",
   age: "Age",
 };
-const styleNames: Readonly<Record<State["style"], string>> = { limb: "Limbs", model: "Model" };
+const styleNames: Readonly<Record<State["style"], string>> = {
+  limb: "Limbs",
+  bare: "Bare",
+  model: "Model",
+};
 const viewNames: Readonly<Record<State["view"], string>> = { plane: "Plane", space: "Space" };
 
 export function look({ state }: Model, actions: Actions): TemplateResult {
@@ -24,9 +28,15 @@ export function look({ state }: Model, actions: Actions): TemplateResult {
         ${colors.map((color) => html`<option value=${color} ?selected=${color === state.color}>${colorNames[color]}</option>`)}
       </select></label
     >
-    ${choice("Style", "style", styles, state.style, styleNames, (style) => actions.change({ style }))}
+    ${choice("Style", "style", stylesOf(state), state.style, styleNames, (style) => actions.change({ style }))}
     ${choice("View", "view", views, state.view, viewNames, (view) => actions.change({ view }))}
   </div>`;
+}
+
+/** Bare is for plants that bear something. */
+function stylesOf({ params, style }: State): State["style"][] {
+  const { foliage, tipMass } = params.loads;
+  return styles.filter((name) => name !== "bare" || style === "bare" || foliage > 0 || tipMass > 0);
 }
 
 function choice<Name extends string>(

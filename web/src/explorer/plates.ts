@@ -15,6 +15,7 @@ const chapters: readonly (readonly [title: string, figures: RegExp])[] = [
   ["Tropism turns it up", /^figure-13/],
   ["Wood thickens and remembers", /^figure-17/],
   ["Forks", /^figure-(18|20|21)/],
+  ["Plants one knows", /^(?!figure-)/],
 ];
 
 /** Opens it; the plate that is shown is marked. */

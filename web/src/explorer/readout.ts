@@ -1,8 +1,9 @@
 /** What can be measured on the plant. */
 import { html, nothing, type TemplateResult } from "lit";
-import { angle, gravitySentence, solverSentence } from "../element/description.ts";
+import { angle, gravitySentence, solverSentence, strengthSentence } from "../element/description.ts";
 import { quantityText } from "../form/quantity.ts";
 import { measure } from "../geometry/measure.ts";
+import { isBroken } from "../plant/plant.ts";
 import type { Model } from "./model.ts";
 
 export function readout({ plant, pull }: Model): TemplateResult | typeof nothing {
@@ -12,6 +13,7 @@ export function readout({ plant, pull }: Model): TemplateResult | typeof nothing
   // What is a millionth of the axis is round-off.
   const place = (value: number) =>
     quantityText(Math.abs(value) < 1e-6 * length ? 0 : value, "m").replace("-", "−");
+  const strength = strengthSentence(plant);
   const sound = report.status === "converged" && (report.stable !== false || pull !== null);
   return html`<section class="readout" aria-labelledby="readout-title">
     <h2 id="readout-title">Measured</h2>
@@ -25,6 +27,7 @@ export function readout({ plant, pull }: Model): TemplateResult | typeof nothing
         <dt><abbr title="weight times length squared over bending stiffness, at the base">Gravity number</abbr> <i class="symbol">q</i></dt>
         <dd>${quantityText(report.gravityNumber, "")} <small>${gravitySentence(report.gravityNumber)}</small></dd>
       </div>
+      ${strength === "" ? nothing : html`<div class=${isBroken(report) ? "unsound" : ""}><dt>Strength</dt><dd>${strength}</dd></div>`}
       <div class=${sound ? "" : "unsound"}>
         <dt>Solution</dt>
         <dd>${!pull || report.stable !== false ? solverSentence(report) : "In equilibrium while it is held; the same force as a load would make it snap through."}</dd>

@@ -172,6 +172,20 @@ const shear: Equation = {
     '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mfrac><mrow><mi>G</mi><mi>J</mi></mrow><mrow><mi>E</mi><mi>I</mi></mrow></mfrac><mo>=</mo><mn>2</mn><mfrac><mi>G</mi><mi>E</mi></mfrac></mrow></math>',
 };
 
+// \sigma = \max_p \frac{E R_p \left|\mu - \varphi_p\right|}{s} < \sigma_r
+const strength: Equation = {
+  caption: "Fibre stress, below which the wood holds",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mi>σ</mi><mo>=</mo><mrow><munder><mi>max</mi><mi>p</mi></munder></mrow><mfrac><mrow><mi>E</mi><msub><mi>R</mi><mi>p</mi></msub><mrow><mo fence="true" form="prefix" stretchy="true">|</mo><mi>μ</mi><mo>−</mo><msub><mi>φ</mi><mi>p</mi></msub><mo fence="true" form="postfix" stretchy="true">|</mo></mrow></mrow><mi>s</mi></mfrac><mo>&lt;</mo><msub><mi>σ</mi><mi>r</mi></msub></mrow></math>',
+};
+
+// F = \frac{1}{2} \rho_a C_d\, 2 R l\, v_n^2
+const drag: Equation = {
+  caption: "Drag on a segment across the wind, with v_n its speed at right angles",
+  mathml:
+    '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow><mi>F</mi><mo>=</mo><mfrac><mn>1</mn><mn>2</mn></mfrac><msub><mi>ρ</mi><mi>a</mi></msub><msub><mi>C</mi><mi>d</mi></msub><mspace width="0.1667em"></mspace><mn>2</mn><mi>R</mi><mi>l</mi><mspace width="0.1667em"></mspace><msubsup><mi>v</mi><mi>n</mi><mn>2</mn></msubsup></mrow></math>',
+};
+
 /** By the path of the parameter. */
 export const equations: Readonly<Record<string, Equation>> = {
   "axis.segments": length,
@@ -187,6 +201,7 @@ export const equations: Readonly<Record<string, Equation>> = {
   "material.youngsModulus": kappa,
   "material.density": mass,
   "material.shearModulusRatio": shear,
+  "material.modulusOfRupture": strength,
   "tropism.elevation": tropism,
   "tropism.strength": tropism,
   "tropism.azimuth": tropism,
@@ -197,7 +212,16 @@ export const equations: Readonly<Record<string, Equation>> = {
   "arrangement.divergence": divergence,
   "loads.gravity": moment,
   "loads.tipMass": moment,
+  "loads.foliage": moment,
+  "loads.foliageAge": moment,
+  "loads.foliageArea": drag,
+  "loads.snow": moment,
+  "loads.wind": drag,
+  "loads.windAzimuth": drag,
+  "loads.dragCoefficient": drag,
+  "loads.foliageDrag": drag,
   "loads.tipForce": force,
+  "loads.picked": springback,
   "loads.removed": springback,
   "solver.method": euler,
   "solver.discretization": second,
@@ -210,6 +234,7 @@ export const equations: Readonly<Record<string, Equation>> = {
   "arrangement.pattern": divergence,
   "arrangement.count": count,
   "arrangement.spacing": spacing,
+  "arrangement.trunk": spacing,
   "arrangement.interval": interval,
   "arrangement.stemRadius": kappa,
   "arrangement.stemElevation": joint,

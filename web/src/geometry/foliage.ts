@@ -20,6 +20,8 @@ export interface LeafHabit {
   readonly angle: number;
   /** How much leaves turn their faces up, from 0 (as the wood has them) to 1. */
   readonly light: number;
+  /** How many of the first axes bear none: 1 for a plant around a stem, which is its first axis. */
+  readonly bare: number;
 }
 
 /** Leaves of one plant; L leaves. */
@@ -47,7 +49,16 @@ export function habitFor(grown: Axes, wishes: Partial<LeafHabit> = {}): LeafHabi
   const mean = length.reduce((sum, own) => sum + own, 0) / Math.max(1, length.length);
   const spacing = Math.max(mean, extent / 50) || 1;
   const youth = Math.max(1, 0.3 * grown.report.steps);
-  return { youth, spacing, size: 1.7 * spacing, divergence: 137.5, angle: 55, light: 0.6, ...wishes };
+  return {
+    youth,
+    spacing,
+    size: 1.7 * spacing,
+    divergence: 137.5,
+    angle: 55,
+    light: 0.6,
+    bare: 0,
+    ...wishes,
+  };
 }
 
 /** The leaves of a plant, whose limbs are drawn `girth` times as thick. */
@@ -60,7 +71,7 @@ export function foliageOf(axes: Axes, habit: LeafHabit, girth: number = 1): Foli
   const spline = new Spline();
   const position = new Float64Array(3);
   const direction = new Float64Array(3);
-  for (let axis = 0; axis + 1 < offsets.length; axis++) {
+  for (let axis = habit.bare; axis + 1 < offsets.length; axis++) {
     const first = offsets[axis] ?? 0;
     spline.use(axes.polylines, first, offsets[axis + 1] ?? 0);
     direction.fill(0);

@@ -45,6 +45,17 @@ export function measure({ polylines, segments, params }: Plant): Measures {
   };
 }
 
+/** Along the wood from the base to where a segment begins, m; around a stem from there. */
+export function pathTo({ segments, params }: Plant, segment: number): number {
+  let path = 0;
+  let bearer = segments.parent[segment] ?? -1;
+  while (bearer >= 0 && !(params.arrangement.pattern === "stem" && segments.axis[bearer] === 0)) {
+    path += segments.length[bearer] ?? 0;
+    bearer = segments.parent[bearer] ?? -1;
+  }
+  return path;
+}
+
 /** The horizontal part of a direction; an axis that leans over backwards (beyond 90 degrees) heads the other way. */
 function headingOf([x, , z]: Vector, elevation: number): Vector {
   const size = Math.hypot(x, z);

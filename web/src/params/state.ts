@@ -6,8 +6,8 @@ import { complete, defaults, type Params, sameParams } from "./params.ts";
 export const views = ["plane", "space"] as const;
 /** What the plant's colour means. */
 export const colors = ["bark", "moment", "stress", "curvature", "age"] as const;
-/** How the plant is drawn: as limbs of wood, or as the rods, springs and masses that are computed with. */
-export const styles = ["limb", "model"] as const;
+/** How the plant is drawn: as limbs with what they bear, as bare limbs, or as the rods, springs and masses that are computed with. */
+export const styles = ["limb", "bare", "model"] as const;
 /** Light or dark, or as the reader's system has it. */
 export const themes = ["auto", "light", "dark"] as const;
 

@@ -29,6 +29,10 @@ export interface Report {
   gravityNumber: number;
   /** With extrapolated stepping, the largest distance from the shape of exact stepping that is to be expected, over the length of the axis; null otherwise. */
   steppingError: number | null;
+  /** Modulus of rupture over the largest fibre stress: below 1 the plant breaks; null where nothing is stressed. */
+  safetyFactor: number | null;
+  /** The segment with that stress, which breaks first; null where nothing is stressed. */
+  breaksFirst: number | null;
 }
 
 /** Centre lines of all axes; A axes, P points. */
@@ -85,4 +89,9 @@ export interface Plant {
   version: string;
   /** How it was solved. */
   report: Report;
+}
+
+/** Whether the largest fibre stress is past the modulus of rupture. */
+export function isBroken({ safetyFactor }: Report): boolean {
+  return safetyFactor !== null && safetyFactor < 1;
 }

@@ -34,6 +34,8 @@ export interface Subject {
   readonly scale: number;
   /** A force that is to be shown. */
   readonly force: Force | null;
+  /** Where the plant breaks first under its load, m; null where it holds. */
+  readonly broken: Vector | null;
   readonly width: number;
   readonly height: number;
   /** From m to the picture. */
@@ -56,6 +58,8 @@ export class Annotation {
   readonly #angle = this.#add("text", "angle");
   readonly #bar = this.#add("path", "scale-bar");
   readonly #length = this.#add("text", "length");
+  readonly #break = this.#add("path", "break");
+  readonly #breakText = this.#add("text", "break");
   readonly #force = new ForceArrow();
   /** Height of the angle's letters, px; its size may be a style's, so it is read anew with every size of the picture. */
   #letter = 16;
@@ -75,6 +79,7 @@ export class Annotation {
     put(this.#future, { d: subject.future.map(pathOf).join("") });
     this.#drawElevation(subject);
     this.#drawScale(subject);
+    this.#drawBreak(subject);
     this.#force.draw(subject.force, subject.project, 0.01 * subject.frame.height, subject);
   }
 
@@ -119,6 +124,16 @@ export class Annotation {
     write(this.#angle, freest(places(elevation, radius, towards), room, obstacles, subject), text, "middle");
   }
 
+  #drawBreak({ broken, project, width }: Subject): void {
+    for (const element of [this.#break, this.#breakText]) element.style.display = broken ? "" : "none";
+    if (!broken) return;
+    const { x, y } = project(broken);
+    const at = `${x.toFixed(1)} ${y.toFixed(1)}`;
+    put(this.#break, { d: `M${at}m-9 0a9 9 0 1 0 18 0a9 9 0 1 0-18 0m5-4l8 8m0-8l-8 8` });
+    const isFree = x < width - 110;
+    write(this.#breakText, { x: x + (isFree ? 15 : -15), y: y - 8 }, "breaks here", isFree ? "start" : "end");
+  }
+
   #drawScale({ scale, girth, future, width, height }: Subject): void {
     const { length, text } = rulerWithin(Math.min(160, 0.4 * width) / scale);
     const [left, bottom] = [inset, height - inset];
@@ -161,7 +176,12 @@ function pathOf(places: readonly Place[]): string {
   return `M${places.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
 }
 
-function write(text: SVGTextElement, { x, y }: Place, content: string, anchor: "start" | "middle"): void {
+function write(
+  text: SVGTextElement,
+  { x, y }: Place,
+  content: string,
+  anchor: "start" | "middle" | "end",
+): void {
   put(text, { x: x.toFixed(1), y: y.toFixed(1), "text-anchor": anchor });
   if (text.textContent !== content) text.textContent = content;
 }

@@ -8,8 +8,9 @@ import { type Lumping, mostModelled } from "../geometry/model.ts";
 import { headingOf, type Pick, pick } from "../geometry/pick.ts";
 import type { Color, Paint } from "../geometry/shade.ts";
 import type { Axes } from "../geometry/tube.ts";
-import type { Plant } from "../plant/plant.ts";
+import { isBroken, type Plant } from "../plant/plant.ts";
 import { Annotation, type Place } from "./annotation.ts";
+import type { Bearing } from "./burden.ts";
 import { Camera, type View } from "./camera.ts";
 import type { Force } from "./force.ts";
 import { Framing } from "./framing.ts";
@@ -19,8 +20,8 @@ import { Press, type Sheet } from "./press.ts";
 import { toClip, toPicture, unproject } from "./sight.ts";
 import { placedAt } from "./world.ts";
 
-/** How a plant is drawn. */
-export type Style = "limb" | "model";
+/** How a plant is drawn: with leaves and fruit where it bears any, without, or as its model. */
+export type Style = "limb" | "bare" | "model";
 
 /** How a plant is shown. */
 export interface Showing {
@@ -29,7 +30,7 @@ export interface Showing {
   readonly view: View;
   /** What the plant's colour means; its own bark unless said otherwise. `legend` explains it. */
   readonly color?: Color;
-  /** As limbs, unless said otherwise, or as the model that was computed: segments, springs and masses. */
+  /** As limbs, unless said otherwise, with what they bear or bare, or as the model that was computed: segments, springs and masses. */
   readonly style?: Style;
   readonly tone: Tone;
   /** False in the midst of a gesture. */
@@ -54,8 +55,12 @@ interface Shown {
   readonly grown: Plant;
   readonly paint: Paint | null;
   readonly model: Lumping | null;
+  readonly bearing: Bearing | null;
   readonly tone: Tone;
 }
+
+/** Draws leaves and fruit, once that is loaded: most plants bear none. */
+let orchard: typeof import("./burden.ts") | null = null;
 
 /** Most device pixels a CSS pixel: more cannot be seen, and costs with its square. */
 const finest = 2;
@@ -84,6 +89,8 @@ export class Stage {
   #farewell = new AbortController();
   #force: Force | null = null;
   #request = 0;
+  /** How often something that belongs into the picture is being loaded. */
+  #expects = 0;
   #isDue = false;
   #width = 0;
   #height = 0;
@@ -158,16 +165,43 @@ export class Stage {
     if (this.#shown?.plant !== plant) this.#morph.turn(plant, now, jumps ? 0 : passage);
     const isTooMuch = style === "model" && plant.segments.point.length > mostModelled;
     const model = style === "model" && !isTooMuch ? lumpingOf(plant) : null;
-    this.#shown = { plant, grown, paint: paintOf(plant, color, grown), model, tone };
+    const bearing = style === "limb" ? this.#bearingOf(plant, grown) : null;
+    this.#shown = { plant, grown, paint: paintOf(plant, color, grown), model, bearing, tone };
     this.#invalidate();
     return isTooMuch
       ? `Above ${mostModelled} segments the model cannot be made out: these are the limbs.`
       : null;
   }
 
+  /** What a plant is seen to bear: nothing until it is known how to draw that, and then in another picture. */
+  #bearingOf(plant: Plant, grown: Plant): Bearing | null {
+    const { foliage, tipMass, removed } = plant.params.loads;
+    if (removed || !(foliage > 0 || tipMass > 0)) return null;
+    const old = this.#shown;
+    if (old?.bearing && old.plant === plant && old.grown === grown) return old.bearing;
+    if (orchard) return orchard.bearingOf(plant, grown);
+    void this.#plantOrchard(plant, grown);
+    return null;
+  }
+
+  async #plantOrchard(plant: Plant, grown: Plant): Promise<void> {
+    this.#expects++;
+    try {
+      orchard = await import("./burden.ts");
+      const shown = this.#shown;
+      if (shown?.plant === plant && shown.grown === grown) {
+        this.#shown = { ...shown, bearing: orchard.bearingOf(plant, grown) };
+      }
+    } catch {
+      // Without the network the limbs are what there is to see.
+    }
+    this.#expects--;
+    this.#invalidate();
+  }
+
   /** Whether a picture is due. */
   get moving(): boolean {
-    return this.#request !== 0;
+    return this.#request !== 0 || this.#expects > 0;
   }
 
   /** Where a point of the world (m) is on the picture, in CSS px from its upper left corner. */
@@ -277,8 +311,10 @@ export class Stage {
     const old = this.#sheet;
     const isSame = old?.sheet.axes === axes && old.sheet.look.girth === girth && looksLike(old.shown, shown);
     if (old && isSame) return old.sheet;
-    const { grown, paint, model } = shown;
-    const sheet = { axes, look: { grownSteps: grown.report.steps, girth, paint, model, extent } };
+    const { grown, paint, model, bearing } = shown;
+    // Bark comes with age: what stays a stalk never gets any.
+    const grownSteps = grown.report.steps * (isStalk(grown) ? 4 : 1);
+    const sheet = { axes, look: { grownSteps, girth, paint, model, extent, bearing } };
     this.#sheet = { sheet, shown };
     return sheet;
   }
@@ -297,6 +333,7 @@ export class Stage {
       foot: this.#framing.foot,
       scale: this.#pixelsPerMeter(frame.height),
       force: this.#force,
+      broken: breakOf(plant, axes),
       width: this.#width,
       height: this.#height,
       project: (point) => this.project(point),
@@ -369,11 +406,25 @@ function looksLike(a: Shown, b: Shown): boolean {
   return (
     a.grown === b.grown &&
     a.model === b.model &&
+    a.bearing === b.bearing &&
     a.paint?.color === b.paint?.color &&
     a.paint?.range.max === b.paint?.range.max &&
     // The colours of the model are in its mesh.
     (!isPainted || a.tone === b.tone)
   );
+}
+
+/** Whether it is a thin stalk with leaves or a flower, and not wood: it does not thicken. */
+function isStalk({ params: { axis, growth, loads } }: Plant): boolean {
+  return growth.thickening === "none" && axis.radius < 0.003 && (loads.foliage > 0 || loads.tipMass > 0);
+}
+
+/** Where a plant breaks first, as it is drawn, m; null where it holds. */
+function breakOf({ report }: Plant, { polylines, segments }: Axes): Vector | null {
+  if (!isBroken(report) || report.breaksFirst === null) return null;
+  const at = 3 * ((segments.point[report.breaksFirst] ?? 1) - 1);
+  const [x = 0, y = 0, z = 0] = polylines.points.subarray(at, at + 3);
+  return [x, y, z];
 }
 
 function lumpingOf({ params }: Plant): Lumping {

@@ -5,6 +5,7 @@ import { type Lumping, modelOf } from "../geometry/model.ts";
 import { type Paint, shadesOf } from "../geometry/shade.ts";
 import type { Axes } from "../geometry/tube.ts";
 import { Limbs } from "../three/limbs.ts";
+import type { Bearing, Burden } from "./burden.ts";
 import { Ground } from "./ground.ts";
 import { Light } from "./light.ts";
 import { ModelMesh } from "./model.ts";
@@ -23,6 +24,8 @@ export interface Look {
   readonly model: Lumping | null;
   /** How large the full-grown plant is, m. */
   readonly extent: number;
+  /** Leaves and fruit, if there are any to be seen. */
+  readonly bearing: Bearing | null;
 }
 
 export class World {
@@ -34,6 +37,7 @@ export class World {
   readonly #light = new Light();
   readonly #ground = new Ground();
   readonly #stand = new Stand();
+  #burden: Burden | null = null;
   #tone: Tone | null = null;
 
   constructor() {
@@ -48,6 +52,7 @@ export class World {
   tint(tone: Tone): void {
     if (tone === this.#tone) return;
     this.#tone = tone;
+    this.#burden?.tint(tone);
     const palette = palettes[tone];
     this.#limbs.material.tint(palette);
     this.#model.tint(palette);
@@ -57,10 +62,11 @@ export class World {
   }
 
   /** Takes the shape of a plant. */
-  show(axes: Axes, { grownSteps, girth, paint, model, extent }: Look): void {
+  show(axes: Axes, { grownSteps, girth, paint, model, extent, bearing }: Look): void {
     const shades = paint && shadesOf(paint.color, axes, paint.range);
     this.#limbs.visible = model === null;
     this.#model.group.visible = model !== null;
+    this.#bear(bearing, axes, girth);
     if (model) {
       this.#model.show(modelOf(axes, extent, model), shades, paint?.colors ?? []);
       return;
@@ -68,6 +74,17 @@ export class World {
     this.#limbs.geometry.update(axes, { girth, shades });
     this.#limbs.material.age(grownSteps);
     this.#limbs.material.paint(paint?.colors ?? null);
+  }
+
+  #bear(bearing: Bearing | null, axes: Axes, girth: number): void {
+    if (this.#burden) this.#burden.visible = bearing !== null;
+    if (!bearing) return;
+    if (!this.#burden) {
+      this.#burden = bearing.make();
+      this.#meters.add(this.#burden);
+    }
+    bearing.hang(this.#burden, axes, girth);
+    if (this.#tone) this.#burden.tint(this.#tone);
   }
 
   /** Puts a frame in front of the camera; `foot` is the drawn radius of the plant's base, m. */
@@ -87,6 +104,7 @@ export class World {
     this.#light.dispose();
     this.#ground.dispose();
     this.#stand.dispose();
+    this.#burden?.dispose();
   }
 }
 

@@ -1,8 +1,10 @@
 //! How a plant grows: a step thickens old wood, extends or forks the axes, turns new wood, and lets all settle.
 
+mod aftermath;
 mod attach;
 mod axis;
 mod buckling;
+mod burden;
 mod extrapolation;
 mod flexible_stem;
 mod fork;
@@ -19,6 +21,7 @@ mod stem;
 mod trajectory;
 mod trend;
 mod tropism;
+mod weather;
 mod weight;
 mod wood;
 
@@ -28,3 +31,4 @@ pub use sensitivity::{Sensitivity, sensitivity};
 pub use state::Growth;
 pub use trajectory::{Trajectory, iterations, relaxation};
 pub use tropism::turned;
+pub use weather::{AIR, wind, wind_force};

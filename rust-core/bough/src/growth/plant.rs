@@ -42,12 +42,14 @@ pub(super) fn assemble(growth: &Growth, pose: &Pose, report: Report) -> Plant {
         Pose::Plane(linkage) => stress(growth, linkage),
         Pose::Space { shape, .. } => growth.stress_in_space(shape),
     };
-    Plant {
+    let mut plant = Plant {
         polylines: polylines(growth, &end, &rods),
         segments: segments(growth, &joints, &stress, &rods),
         params: growth.params.clone(),
         report,
-    }
+    };
+    plant.judge_strength();
+    plant
 }
 
 /// What there is to say of a rod and its base joint.

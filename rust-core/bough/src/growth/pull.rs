@@ -1,4 +1,4 @@
-//! Pulling at a grown plant: forces that are given, and the force that holds a point where a pointer wants it.
+//! Pulling at a grown plant: the force that holds a point where a pointer wants it.
 
 use alloc::vec;
 
@@ -7,9 +7,7 @@ use glam::DVec3;
 use super::plant::{Pose, assemble, segments_of};
 use super::state::Growth;
 use crate::angle::Degrees;
-use crate::mechanics::{
-    Elimination, GROUND, Held, Linkage, Loads, Report, Settings, Status, Workspace, hold, settle,
-};
+use crate::mechanics::{Elimination, GROUND, Held, Linkage, Loads, Report, Status, hold};
 use crate::params::{Params, PointForce};
 use crate::plant::Plant;
 use crate::space::Shape;
@@ -29,24 +27,6 @@ impl Grip {
 }
 
 impl Growth {
-    /// Lets the given forces act on the grown plant. Segments that are not there yet are not pulled at.
-    pub(super) fn pull(&self, linkage: &mut Linkage, loads: &mut Loads, report: &mut Report) {
-        if self.params.loads.forces.is_empty() {
-            return;
-        }
-        let before = loads.clone();
-        for PointForce { segment, force } in &self.params.loads.forces {
-            if let Some(rod) = self.rod_of(*segment) {
-                act(linkage, loads, rod, into_plane(&self.params, *force));
-            }
-        }
-        let settings = Settings { tolerance: self.params.solver.tolerance };
-        let outcome = settle(linkage, &before, loads, &[], settings, &mut Workspace::default());
-        report.status = report.status.max(outcome.status);
-        report.residual = outcome.residual;
-        report.iterations += outcome.iterations;
-    }
-
     /// The plant with the distal end of a segment held at a place (m; of planar plants what lies in their plane counts), and
     /// the grip to go on from. Its params name the force that holds it. Out of reach, the point comes as near as it can; `None` when
     /// there is no such segment, or no equilibrium was found.
@@ -55,12 +35,8 @@ impl Growth {
             return self.hold_in_space(segment, place, grip);
         }
         let rod = self.rod_of(segment)?;
-        let settings = Settings { tolerance: self.params.solver.tolerance };
-        let mut loads = self.state.loads.clone();
-        if self.params.loads.removed {
-            loads = Loads::none(self.rods());
-        }
-        let (mut linkage, start) = match grip {
+        let settings = self.settings();
+        let (mut linkage, mut start) = match grip {
             Some(Grip::Plane { segment: own, linkage, held })
                 if own == segment && linkage.len() == self.rods() =>
             {
@@ -69,8 +45,17 @@ impl Growth {
             _ => (self.shown(), [0.0; 2]),
         };
         let local = into_plane(&self.params, place);
-        let held = hold(&mut linkage, &loads, rod, local, start, settings);
-        if held.outcome.status != Status::Converged {
+        let steady = match self.params.loads.removed {
+            true => Loads::none(self.rods()),
+            false => self.steady_loads(&linkage),
+        };
+        let mut held = Held::default();
+        let (outcome, mut loads) = self.rest_in_weather(&mut linkage, steady, &mut |linkage, _, loads| {
+            held = hold(linkage, loads, rod, local, start, settings);
+            start = held.force;
+            held.outcome
+        });
+        if outcome.status != Status::Converged {
             return None;
         }
         let force = out_of_plane(&self.params, held.force);
@@ -79,7 +64,7 @@ impl Growth {
         elimination.evaluate(&linkage, &loads);
         let grown = self.state.report.status == Status::Converged;
         let stable = grown.then(|| elimination.eliminate(&linkage, 0.0) == 0);
-        let iterations = self.state.report.iterations + held.outcome.iterations;
+        let iterations = self.state.report.iterations + outcome.iterations;
         let report = Report {
             residual: held.outcome.residual,
             stable,

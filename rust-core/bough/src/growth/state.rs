@@ -364,7 +364,7 @@ impl Growth {
             report.residual = 0.0;
         }
         if !self.params.loads.removed {
-            self.pull(&mut linkage, &mut loads, &mut report);
+            self.endure(&mut linkage, &mut loads, &mut report);
         }
         report.stable = (report.status == Status::Converged).then(|| {
             let mut elimination = Elimination::default();

@@ -19,7 +19,7 @@ pub(super) struct Place {
 pub(super) fn place(params: &Params, copy: usize) -> Place {
     let turned = Degrees(copy as f64 * params.arrangement.divergence.0 % 360.0);
     Place {
-        height: (copy + 1) as f64 * params.arrangement.spacing,
+        height: params.arrangement.trunk + (copy + 1) as f64 * params.arrangement.spacing,
         // Copies that differ have been grown in their own planes.
         azimuth: if copies_differ(params) { Degrees(0.0) } else { turned },
         bearer: copy as u32,
@@ -55,6 +55,7 @@ pub(super) fn around(params: &Params, copies: &[Plant]) -> Plant {
         let place = place(params, index);
         add(&mut plant, copy, &place);
     }
+    plant.judge_strength();
     plant
 }
 
@@ -69,16 +70,17 @@ fn stem(params: &Params, copies: &[Plant]) -> Plant {
     for (index, copy) in copies.iter().enumerate() {
         let radius = libm::sqrt(above);
         above = (above - base_area(copy)).max(base_area(copy));
-        polylines.points.extend([0.0, (index + 1) as f64 * spacing, 0.0]);
+        let length = if index == 0 { params.arrangement.trunk + spacing } else { spacing };
+        polylines.points.extend([0.0, place(params, index).height, 0.0]);
         polylines.radii.push(libm::sqrt(above));
         segments.parent.push(index as i32 - 1);
         segments.point.push(index as u32 + 1);
         segments.axis.push(0);
         segments.order.push(0);
         segments.birth.push(1 + index as u32 * params.arrangement.interval);
-        segments.length.push(spacing);
+        segments.length.push(length);
         segments.radius.push(radius);
-        segments.mass.push(params.material.density * core::f64::consts::PI * radius * radius * spacing);
+        segments.mass.push(params.material.density * core::f64::consts::PI * radius * radius * length);
         segments.rotation.extend([0.0, 0.0, up, up]);
         let bending = [&mut segments.moment, &mut segments.twist_moment, &mut segments.stress];
         let bent = [&mut segments.curvature, &mut segments.rest_curvature];

@@ -16,24 +16,14 @@ impl Growth {
         f64::from(self.pipes(rod)) * self.state.pipes.mass[rod]
     }
 
-    /// Mass lumped at each rod's distal end, kg: all of a segment's, or half of it with the other half at its base.
+    /// Mass lumped at each rod's distal end, kg, with leaves and fruit.
     pub(super) fn lumped_masses(&self) -> Vec<f64> {
-        let linkage = &self.state.linkage;
-        let mut lumped = vec![0.0; linkage.len()];
-        for rod in 0..linkage.len() {
+        let mut lumped = vec![0.0; self.rods()];
+        for rod in 0..lumped.len() {
             let mass = self.mass(rod);
-            if self.params.solver.discretization == Discretization::Paper {
-                lumped[rod] += mass;
-            } else {
-                lumped[rod] += 0.5 * mass;
-                if linkage.parent[rod] != GROUND {
-                    lumped[linkage.parent[rod] as usize] += 0.5 * mass;
-                }
-            }
+            self.shares(rod).for_each(|(node, share)| lumped[node] += share * mass);
         }
-        for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
-            lumped[axis.bearer as usize] += self.params.loads.tip_mass;
-        }
+        self.add_burden(&mut lumped);
         lumped
     }
 
@@ -42,17 +32,17 @@ impl Growth {
         core::mem::swap(&mut self.state.loads, &mut self.before);
         core::mem::swap(&mut self.state.force, &mut self.force_before);
         let rods = self.rods();
-        let params = &self.params;
-        let State { step, linkage, loads, force, pipes, axes, .. } = &mut self.state;
-        let Loads { x, y } = loads;
-        for array in [&mut *x, &mut *y] {
+        let mut loads = core::mem::take(&mut self.state.loads);
+        for array in [&mut loads.x, &mut loads.y] {
             array.clear();
             array.resize(rods, 0.0);
         }
         // Until its turn, the x of a rod holds the mass beyond it.
-        for axis in axes.iter().filter(|axis| axis.is_tip()) {
-            x[axis.bearer as usize] += params.loads.tip_mass;
-        }
+        self.add_burden(&mut loads.x);
+        self.state.loads = loads;
+        let params = &self.params;
+        let State { step, linkage, loads, force, pipes, axes, .. } = &mut self.state;
+        let Loads { x, y } = loads;
         // Without thickening every rod has one pipe: none more in any step.
         let (step, each) = match params.growth.thickening {
             Thickening::None => (1.0, 0.0),
@@ -97,8 +87,8 @@ impl Growth {
         }
         let linkage = &self.state.linkage;
         let tips = self.state.axes.iter().filter(|axis| axis.is_tip()).count();
-        let wood: f64 = (0..linkage.len()).map(|rod| self.mass(rod)).sum();
-        let weight = (wood + tips as f64 * self.params.loads.tip_mass) * self.params.loads.gravity;
+        let grown: f64 = (0..linkage.len()).map(|rod| self.mass(rod) + self.leaf_mass(rod)).sum();
+        let weight = (grown + tips as f64 * self.params.loads.tip_mass) * self.params.loads.gravity;
         let mut reach: Vec<f64> = Vec::with_capacity(linkage.len());
         let mut length = 0.0_f64;
         for rod in 0..linkage.len() {

@@ -32,6 +32,13 @@ impl Loads {
         }
     }
 
+    /// Adds other loads, so many times.
+    pub fn add(&mut self, other: &Loads, times: f64) {
+        for (to, from) in [(&mut self.x, &other.x), (&mut self.y, &other.y)] {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to += times * from);
+        }
+    }
+
     /// Writes `from + share * (to - from)` into `self`. Rods that `from` does not have yet carried nothing.
     pub(super) fn blend(&mut self, from: &Loads, to: &Loads, share: f64) {
         let mix = |from: &[f64], to: &[f64], mixed: &mut Vec<f64>| {

@@ -67,6 +67,10 @@ pub struct Report {
     /// Of an upright plant, the present loads over those at which it can no longer stand straight: above 1 it is past its
     /// critical height, and leans to the side of its azimuth (see [`crate::mechanics::LEAN`]). `None` of any other plant.
     pub self_buckling: Option<f64>,
+    /// The modulus of rupture over the largest fibre stress: below 1 the plant breaks. `None` where nothing is stressed.
+    pub safety_factor: Option<f64>,
+    /// The segment with that stress, which breaks first; the lowest of equals.
+    pub breaks_first: Option<u32>,
     /// Weight times length squared over flexural rigidity at the base; `q = w L^3 / EI` for a uniform axis.
     pub gravity_number: f64,
 }

@@ -15,11 +15,13 @@ pub const MAX_STEPPED: f64 = 1e10;
 /// Most segment-steps of exact growth with pipes, whose history is kept: 8 bytes each.
 pub const MAX_PIPES_LAID: f64 = 1e8;
 
-/// Whether growth can be foreseen at every age from coarser cuts: one axis that is cut evenly.
+/// Whether growth can be foreseen at every age from coarser cuts: one axis that is cut evenly, bears no leaves (their age counts
+/// the steps of this cut) and is let alone afterwards (its stress is foreseen too).
 pub(crate) fn is_foreseeable(params: &Params) -> bool {
-    let Params { axis, growth, branching, .. } = params;
+    let Params { axis, growth, branching, loads, .. } = params;
+    let alone = loads.foliage == 0.0 && loads.snow == 0.0 && loads.wind == 0.0 && !loads.picked;
     let even = axis.length_profile == 1.0 && (axis.taper == 1.0 || growth.thickening == Thickening::Pipes);
-    even && branching.pattern == BranchingPattern::None && !is_spatial(params)
+    even && alone && branching.pattern == BranchingPattern::None && !is_spatial(params)
 }
 
 /// How many segments an axis of each generation grows to.

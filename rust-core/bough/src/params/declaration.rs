@@ -270,6 +270,13 @@ declare! {
             help: "Shear modulus over Young's modulus, which resists twisting: GJ/EI of a round section is twice this. Wood has about 0.06 to 0.12, rubber 0.33.",
             source: "past the paper: three dimensions",
         }
+        modulus_of_rupture: f64 {
+            path: "material.modulusOfRupture", key: "mor", symbol: "\u{3c3}_r", unit: "Pa",
+            kind: Kind::Number, default: [5e7], range: 1e-3..=1e15, slider: Log 1e6..=2e8,
+            label: "Modulus of rupture",
+            help: "Fibre stress at which the wood breaks: green wood stands 30 to 80 MPa, soft shoots a tenth of that.",
+            source: "Costes et al. 2008",
+        }
     }
 
     /// The direction that growth seeks.
@@ -377,6 +384,13 @@ declare! {
             help: "Length of stem between an axis and the next.",
             source: "figures 13d and 17d",
         }
+        trunk: f64 {
+            path: "arrangement.trunk", key: "at", symbol: "", unit: "m",
+            kind: Kind::Number, default: [0.0], range: 0..=1e3, slider: Linear 0..=5,
+            label: "Bare trunk",
+            help: "Length of bare stem below; above it the first spacing begins.",
+            source: "chosen",
+        }
         divergence: Degrees {
             path: "arrangement.divergence", key: "ad", symbol: "", unit: "deg",
             kind: Kind::Number, default: [137.5], range: -180..=180, slider: Linear 0..=180,
@@ -423,6 +437,62 @@ declare! {
             help: "A fruit or flower at each tip, carried from the first growth step on.",
             source: "equations 1 to 9",
         }
+        foliage: f64 {
+            path: "loads.foliage", key: "fo", symbol: "", unit: "kg/m",
+            kind: Kind::Number, default: [0.0], range: 0..=1e6, slider: Linear 0..=0.5,
+            label: "Foliage",
+            help: "Mass of the leaves per metre of young wood, carried in every growth step.",
+            source: "loads along the axis, as equation 9 has them",
+        }
+        foliage_age: u32 {
+            path: "loads.foliageAge", key: "fa", symbol: "", unit: "",
+            kind: Kind::Integer, default: [20.0], range: 1..=100_000, slider: Linear 1..=60,
+            label: "Age of the foliage",
+            help: "For how many growth steps a segment bears leaves: that is what counts as young wood.",
+            source: "chosen",
+        }
+        foliage_area: f64 {
+            path: "loads.foliageArea", key: "fs", symbol: "", unit: "m2/kg",
+            kind: Kind::Number, default: [4.0], range: 0..=1e3, slider: Linear 0..=8,
+            label: "Area of the foliage",
+            help: "Area of the leaves, of one side, per mass: what wind and snow meet. Fresh broad leaves have 3 to 6, needles 1 to 2.",
+            source: "chosen",
+        }
+        snow: f64 {
+            path: "loads.snow", key: "sn", symbol: "", unit: "kg/m2",
+            kind: Kind::Number, default: [0.0], range: 0..=1e4, slider: Linear 0..=40,
+            label: "Snow or rain",
+            help: "Mass that lies on the grown plant, per area of its wood seen from above and of its leaves: 0.2 for rain, 5 to 40 for snow.",
+            source: "chosen",
+        }
+        wind: f64 {
+            path: "loads.wind", key: "w", symbol: "v", unit: "m/s",
+            kind: Kind::Number, default: [0.0], range: 0..=1e3, slider: Linear 0..=30,
+            label: "Wind",
+            help: "Speed of a steady wind on the grown plant. It pushes at wood across it by the square of the speed that meets it at right angles, and at leaves in its own direction.",
+            source: "Hoerner 1965, cross-flow principle",
+        }
+        wind_azimuth: Degrees {
+            path: "loads.windAzimuth", key: "wa", symbol: "", unit: "deg",
+            kind: Kind::Number, default: [0.0], range: -180..=180, slider: Linear -180..=180,
+            label: "Direction of the wind",
+            help: "Where the wind blows to, turned about the vertical: 0 is to the right, 180 to the left.",
+            source: "chosen",
+        }
+        drag_coefficient: f64 {
+            path: "loads.dragCoefficient", key: "cd", symbol: "C_d", unit: "",
+            kind: Kind::Number, default: [1.0], range: 0..=1e3, slider: Linear 0..=2,
+            label: "Drag of the wood",
+            help: "Drag coefficient of the wood on its diameter; a round rod has about 1.",
+            source: "Hoerner 1965",
+        }
+        foliage_drag: f64 {
+            path: "loads.foliageDrag", key: "fd", symbol: "", unit: "",
+            kind: Kind::Number, default: [0.2], range: 0..=1e3, slider: Linear 0..=1,
+            label: "Drag of the foliage",
+            help: "Drag coefficient of the leaves on their area in still air; leaves fold in the wind, so it is far below that of a plate.",
+            source: "Vollsinger et al. 2005",
+        }
         tip_force: [f64; 3] {
             path: "loads.tipForce", key: "tf", symbol: "F", unit: "N",
             kind: Kind::Vector, default: [0.0, 0.0, 0.0], range: -1e12..=1e12, slider: Linear -5..=5,
@@ -436,6 +506,13 @@ declare! {
             label: "Forces on segments",
             help: "Forces that pull at the distal ends of segments after growth, as a pointer does: a list of {segment, force: [x, y, z]}. Kept out of links.",
             source: "equations 1 to 8",
+        }
+        picked: bool {
+            path: "loads.picked", key: "pk", symbol: "", unit: "",
+            kind: Kind::Flag, default: [0.0], range: 0..=1, slider: Linear 0..=1,
+            label: "Pick the fruit",
+            help: "After growth, take the masses at the tips off and show how far the plant rises again.",
+            source: "section 4.2",
         }
         removed: bool {
             path: "loads.removed", key: "rm", symbol: "", unit: "",

@@ -7,6 +7,7 @@ mod issue;
 mod parameter;
 mod plane;
 mod preset;
+mod species;
 mod value;
 
 pub use crate::angle::Degrees;

@@ -1,6 +1,7 @@
 //! Named sets of params. A released preset never changes: links and lessons rely on it.
 
 use super::declaration::{PARAMETERS, Params};
+use super::species::SPECIES;
 
 /// A plant worth looking at.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +102,7 @@ macro_rules! figure_20 {
 }
 
 /// A preset in one line of its own.
-const fn preset(
+pub(super) const fn preset(
     id: &'static str,
     title: &'static str,
     note: &'static str,
@@ -111,8 +112,18 @@ const fn preset(
     Preset { id, title, note, set, step }
 }
 
-/// All presets, in the order of the paper's figures.
-pub static PRESETS: &[Preset] = &[
+/// All presets: the paper's figures in their order, then plants that one knows.
+pub static PRESETS: &[Preset] = &{
+    let mut all = [FIGURES[0]; FIGURES.len() + SPECIES.len()];
+    let mut next = 0;
+    while next < all.len() {
+        all[next] = if next < FIGURES.len() { FIGURES[next] } else { SPECIES[next - FIGURES.len()] };
+        next += 1;
+    }
+    all
+};
+
+const FIGURES: &[Preset] = &[
     preset(
         "figure-2a",
         "Straight up",

@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::strength::weakest;
 use crate::mechanics::Report;
 use crate::params::Params;
 
@@ -65,6 +66,12 @@ pub struct Plant {
 }
 
 impl Plant {
+    /// Says in the report where the plant breaks first, and how far that is off.
+    pub(crate) fn judge_strength(&mut self) {
+        let weakest = weakest(&self.segments.stress, self.params.material.modulus_of_rupture);
+        (self.report.breaks_first, self.report.safety_factor) = weakest.unzip();
+    }
+
     /// The tip of axis `axis`: x, y, z in m.
     pub fn tip(&self, axis: usize) -> [f64; 3] {
         let end = self.polylines.offsets[axis + 1] as usize;

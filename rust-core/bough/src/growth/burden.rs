@@ -1,0 +1,37 @@
+//! What the plant carries beside its wood: leaves along young wood, and fruit at the tips.
+
+use super::state::Growth;
+use crate::mechanics::GROUND;
+use crate::params::Discretization;
+
+impl Growth {
+    /// Mass of a segment's leaves, kg. Young wood is what was born in the last `loads.foliageAge` growth steps.
+    pub(super) fn leaf_mass(&self, rod: usize) -> f64 {
+        let loads = &self.params.loads;
+        let young = self.state.step < self.state.wood[rod].birth.saturating_add(loads.foliage_age);
+        if young { loads.foliage * self.state.linkage.length[rod] } else { 0.0 }
+    }
+
+    /// Adds what leaves and fruit weigh to the masses lumped at the rods' distal ends, kg.
+    pub(super) fn add_burden(&self, lumped: &mut [f64]) {
+        for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
+            lumped[axis.bearer as usize] += self.params.loads.tip_mass;
+        }
+        if self.params.loads.foliage > 0.0 {
+            for rod in 0..lumped.len() {
+                let mass = self.leaf_mass(rod);
+                self.shares(rod).for_each(|(node, share)| lumped[node] += share * mass);
+            }
+        }
+    }
+
+    /// Which nodes bear what lies evenly along a rod, and their shares: all at its distal end, or half of it at the end of its
+    /// bearer, as the discretization has it. What the ground bears bends nothing.
+    pub(super) fn shares(&self, rod: usize) -> impl Iterator<Item = (usize, f64)> {
+        let bearer = self.state.linkage.parent[rod];
+        let halves = self.params.solver.discretization == Discretization::SecondOrder;
+        let share = if halves { 0.5 } else { 1.0 };
+        let below = (halves && bearer != GROUND).then_some((bearer as usize, share));
+        core::iter::once((rod, share)).chain(below)
+    }
+}
