@@ -155,6 +155,9 @@ fn on_every_preset_they_agree_with_differences() {
         }
         let mut single = params.clone();
         single.arrangement.pattern = bough::params::ArrangementPattern::Single;
+        // Derived is the shape that has grown.
+        single.loads.wind = 0.0;
+        single.loads.picked = false;
         check_against_differences(&single, &["material.youngsModulus", "loads.gravity"], step).unwrap();
     }
 }

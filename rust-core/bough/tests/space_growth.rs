@@ -10,7 +10,10 @@ use bough::params::{
 };
 use bough::{History, Plant, grow};
 
+#[path = "soundness/forces.rs"]
+mod forces;
 mod support;
+use forces::forces;
 use support::{distance, heavy_rod};
 
 fn points(plant: &Plant) -> impl Iterator<Item = [f64; 3]> {
@@ -77,6 +80,9 @@ fn planar_plants_are_the_same_in_space() {
             let plane = grow(&params).unwrap();
             params.solver.space = true;
             params.axis.azimuth = Degrees([0.0, 30.0, -137.5, 200.0][index % 4]);
+            // The wind turns with the plant, as far as it may.
+            let blown = params.loads.wind_azimuth.0 + params.axis.azimuth.0;
+            params.loads.wind_azimuth = Degrees(blown - 360.0 * (blown / 360.0).round());
             let space = grow(&params).unwrap();
             assert_same(preset.id, &space, &plane, params.axis.azimuth.0);
             // Turned in the plane it is the same as well.
@@ -193,37 +199,12 @@ fn the_base_holds_the_moment_of_all_loads() {
     stem.arrangement.stem_elevation = Degrees(75.0);
     all.push(("flexible stem", stem));
     for (id, mut params) in all {
+        println!("{id}");
         if params.arrangement.pattern == ArrangementPattern::Stem {
             params.arrangement.pattern = ArrangementPattern::Single;
         }
         let plant = grow(&params).unwrap();
-        let segments = &plant.segments;
-        let at = |segment: usize| {
-            let point = 3 * segments.point[segment] as usize;
-            [0, 1, 2].map(|axis| plant.polylines.points[point + axis])
-        };
-        let mut about = [0.0; 3];
-        let half = params.solver.discretization == Discretization::SecondOrder;
-        for segment in 0..segments.parent.len() {
-            let end = at(segment);
-            let foot = usize::try_from(segments.parent[segment]).map_or([0.0; 3], at);
-            let share = if half { 0.5 } else { 1.0 };
-            let tip = !segments.parent.contains(&(segment as i32));
-            let weight = |mass: f64| -params.loads.gravity * mass;
-            let fruit = if tip { params.loads.tip_mass } else { 0.0 };
-            for (place, mass) in [
-                (end, share * segments.mass[segment] + fruit),
-                (foot, (1.0 - share) * segments.mass[segment]),
-            ] {
-                // r x F with F = (0, w, 0).
-                about[0] -= place[2] * weight(mass);
-                about[2] += place[0] * weight(mass);
-            }
-        }
-        let expected = f64::hypot(about[0], about[2]);
-        let found = f64::hypot(segments.moment[0], segments.twist_moment[0]);
-        let largest = segments.moment.iter().fold(0.0_f64, |most, moment| most.max(moment.abs()));
-        assert!((found - expected).abs() <= 1e-9 * largest.max(1e-300), "{id}: {found} {expected}");
+        assert_held(&plant);
     }
 }
 
@@ -421,4 +402,99 @@ fn the_physical_branch_is_followed_in_space() {
             );
         }
     }
+}
+
+/// Every kind of load that a plant in space can have, after growth: it rests, by the forces that its shape shows, summed
+/// here.
+#[test]
+fn weather_in_space_is_balanced_at_the_shape_shown() {
+    let mut bush = bush();
+    bush.loads.foliage = 0.01;
+    bush.loads.foliage_age = 5;
+    bush.loads.tip_mass = 0.001;
+    for (wind, snow, picked) in [(6.0, 0.0, false), (0.0, 3.0, false), (0.0, 0.0, true), (4.0, 2.0, true)] {
+        let calm = grow(&bush).unwrap();
+        let mut params = bush.clone();
+        (params.loads.wind, params.loads.snow, params.loads.picked) = (wind, snow, picked);
+        params.loads.wind_azimuth = Degrees(70.0);
+        let plant = grow(&params).unwrap();
+        assert_eq!(plant.report.status, Status::Converged);
+        assert!(plant.report.residual <= params.solver.tolerance, "{:?}", plant.report);
+        assert!(apart(&plant, &calm, 0.0) > 1e-4 * length(&calm), "nothing has moved");
+        assert_held(&plant);
+        // Turned with its wind it is the same plant turned.
+        params.axis.azimuth.0 += 40.0;
+        params.loads.wind_azimuth.0 += 40.0;
+        params.solver.tolerance = 1e-13;
+        let tighter = grow(&params).unwrap();
+        assert!(apart(&tighter, &plant, 40.0) < 1e-7 * length(&plant));
+    }
+}
+
+/// The base bears the moment of all forces at the shape shown.
+fn assert_held(plant: &Plant) {
+    let expected = base_moment(plant);
+    let segments = &plant.segments;
+    let found = f64::hypot(segments.moment[0], segments.twist_moment[0]);
+    let largest = segments.moment.iter().fold(0.0_f64, |most, moment| most.max(moment.abs()));
+    assert!((found - expected).abs() <= 1e-9 * largest.max(1e-300), "{found} {expected}");
+}
+
+/// Size of the moment of all forces about the base, N m.
+fn base_moment(plant: &Plant) -> f64 {
+    let mut about = [0.0_f64; 3];
+    for (segment, [fx, fy, fz]) in forces(plant, true).0.into_iter().enumerate() {
+        let point = 3 * plant.segments.point[segment] as usize;
+        let [x, y, z] = [0, 1, 2].map(|axis| plant.polylines.points[point + axis]);
+        about[0] += y * fz - z * fy;
+        about[1] += z * fx - x * fz;
+        about[2] += x * fy - y * fx;
+    }
+    about[0].hypot(about[1]).hypot(about[2])
+}
+
+/// In a wind the copies around a stem are no longer copies: each leans to where it blows, and that which points against it is
+/// lifted or pressed as the same axis alone.
+#[test]
+fn axes_around_a_stem_lean_with_the_wind() {
+    let mut params = Params::default();
+    params.axis.segments = 10;
+    params.axis.elevation = Degrees(60.0);
+    params.arrangement.pattern = ArrangementPattern::Stem;
+    params.arrangement.count = 4;
+    params.arrangement.interval = 0;
+    params.arrangement.divergence = Degrees(90.0);
+    let calm = grow(&params).unwrap();
+    params.loads.wind = 8.0;
+    let blown = grow(&params).unwrap();
+    assert_eq!(blown.report.status, Status::Converged);
+    for axis in 1..=4 {
+        let ([x, ..], [before, ..]) = (blown.tip(axis), calm.tip(axis));
+        assert!(x > before + 1e-4, "axis {axis}: {before} to {x}");
+        let mut alone = params.clone();
+        alone.arrangement.pattern = ArrangementPattern::Single;
+        alone.axis.azimuth = Degrees(90.0 * (axis - 1) as f64);
+        let one = grow(&alone).unwrap();
+        let mut foot = one.tip(0);
+        foot[1] += axis as f64 * params.arrangement.spacing;
+        assert!(distance(blown.tip(axis), foot) < 1e-12);
+    }
+}
+
+/// A point held in a wind that blows across the plane.
+#[test]
+fn a_point_is_held_in_the_wind_in_space() {
+    let mut params = Params::default();
+    params.loads.wind = 6.0;
+    params.loads.wind_azimuth = Degrees(90.0);
+    let mut history = History::new(&params).unwrap();
+    let [x, y, z] = history.at(40).tip(0);
+    let place = [x, y + 0.03, z + 0.03];
+    let held = history.hold(39, place).unwrap();
+    assert!(held.report.residual <= params.solver.tolerance, "{}", held.report.residual);
+    assert_eq!(held.report.stable, Some(true));
+    assert!(distance(held.tip(0), place) < 1e-8);
+    params.loads.forces = held.params.loads.forces.clone();
+    let pulled = grow(&params).unwrap();
+    assert!(distance(pulled.tip(0), held.tip(0)) < 1e-8);
 }

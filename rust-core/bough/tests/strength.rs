@@ -213,3 +213,38 @@ fn bending_and_twisting_add_as_a_principal_stress() {
         assert!((first * second + tau * tau).abs() <= 1e-14 * (first * first));
     }
 }
+
+/// An arm across the end of a shaft, with a load at its end: the shaft is bent and twisted, and its stress is what beam theory
+/// makes of both, Rankine's criterion.
+#[test]
+fn bending_and_twisting_stress_together() {
+    let mut params = Params::default();
+    params.axis.segments = 40;
+    params.axis.elevation = Degrees(0.0);
+    params.axis.segment_length = 0.01;
+    params.material.youngs_modulus = 1e13;
+    params.loads.gravity = 0.0;
+    // A rod bent by half a turn's quarter in its rest: an arm that goes aside, with a force up at its end.
+    params.axis.rest_curvature = 5.0;
+    params.axis.rest_curvature_roll = Degrees(90.0);
+    params.loads.tip_force = [0.0, 2.0, 0.0];
+    params.solver.stepping = Stepping::Static;
+    let plant = grow(&params).unwrap();
+    let [x, _, z] = plant.tip(0);
+    let (bending, twisting) = (2.0 * x, 2.0 * z.abs());
+    assert!(twisting > 0.1);
+    let radius = params.axis.radius;
+    let unit = 4.0 / (core::f64::consts::PI * radius.powi(3));
+    let (bent, sheared) = (unit * bending, 0.5 * unit * twisting);
+    let expected = 0.5 * bent + (0.25 * bent * bent + sheared * sheared).sqrt();
+    let found = plant.segments.stress[0];
+    // The base joint is tilted by half a cut's turn, which turns a share of h kappa / 2 of the moments into each other.
+    assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");
+    let section = bough::plant::Section::new(radius);
+    let exact = section.fibre_stress(plant.segments.moment[0], plant.segments.twist_moment[0]);
+    assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
+    assert!(
+        (plant.report.safety_factor.unwrap() * found / params.material.modulus_of_rupture - 1.0).abs()
+            < 1e-12
+    );
+}

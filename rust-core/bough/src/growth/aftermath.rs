@@ -2,10 +2,14 @@
 
 use alloc::vec::Vec;
 
-use super::pull::{act, into_plane, turned};
+use glam::DVec3;
+
+use super::pull::{act, act_in_space, into_plane};
 use super::state::Growth;
+use super::weather::wind;
 use crate::mechanics::{Elimination, Linkage, Loads, Outcome, Report, Settings, Status, Workspace, settle};
 use crate::params::PointForce;
+use crate::space::{self, Balance, Shape, gather};
 use crate::trigonometry::sin_cos;
 
 /// Share of the tolerance that forces may still be off by when the shape that they follow has come to rest; the springs'
@@ -14,41 +18,100 @@ const SHARE: f64 = 0.25;
 /// Most times that forces are made to follow the shape. They come nearer by a constant factor, and Aitken's by a smaller one.
 const MOST_ROUNDS: u32 = 200;
 
+/// A shape that the weather meets: in its plane or in space. Loads are sums over everything beyond each rod.
+pub(super) trait Stance {
+    type Loads: Clone + Default;
+    /// Those loads and the weather's in the present shape.
+    fn with_weather(&self, growth: &Growth, steady: &Self::Loads) -> Self::Loads;
+    /// The largest torque of loads about any joint, N m, and the residual that the springs leave of them.
+    fn torques(&self, growth: &Growth, loads: &Self::Loads) -> (f64, f64);
+    /// Adds other loads, so many times.
+    fn add(loads: &mut Self::Loads, other: &Self::Loads, times: f64);
+    /// Sum of the products of all components.
+    fn dot(loads: &Self::Loads, other: &Self::Loads) -> f64;
+}
+
+/// Brings a shape to rest, from the loads that it was at rest with, to others.
+pub(super) type Search<'a, S> =
+    dyn FnMut(&mut S, &<S as Stance>::Loads, &<S as Stance>::Loads) -> Outcome + 'a;
+
 impl Growth {
     /// The loads of the grown plant that do not depend on how it stands: those it grew with, less the fruit if that is picked.
     pub(super) fn steady_loads(&self, linkage: &Linkage) -> Loads {
         let mut loads = self.state.loads.clone();
-        let params = &self.params.loads;
-        if params.picked && params.tip_mass > 0.0 {
-            let up = into_plane(&self.params, [0.0, params.tip_mass * params.gravity, 0.0]);
-            for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
-                act(linkage, &mut loads, axis.bearer as usize, up);
-            }
-        }
+        let up = into_plane(&self.params, [0.0, self.picked_weight(), 0.0]);
+        self.picked_from().for_each(|bearer| act(linkage, &mut loads, bearer, up));
         loads
     }
 
-    /// Lets everything act that comes after growth. Segments that are not there yet are not pulled at.
+    /// As [`Growth::steady_loads`], in space.
+    pub(super) fn steady_force(&self) -> Vec<DVec3> {
+        let mut force = self.state.force.clone();
+        let up = DVec3::new(0.0, self.picked_weight(), 0.0);
+        self.picked_from().for_each(|bearer| act_in_space(&self.state.linkage, &mut force, bearer, up));
+        force
+    }
+
+    /// Weight of what is picked at a tip, N.
+    fn picked_weight(&self) -> f64 {
+        let loads = &self.params.loads;
+        if loads.picked { loads.tip_mass * loads.gravity } else { 0.0 }
+    }
+
+    /// The rods that bear what is picked.
+    fn picked_from(&self) -> impl Iterator<Item = usize> {
+        let tips = self.state.axes.iter().filter(|axis| axis.is_tip());
+        tips.map(|axis| axis.bearer as usize).filter(|_| self.picked_weight() > 0.0)
+    }
+
+    /// Whether anything acts on the grown plant that did not act on the growing one.
+    pub(super) fn has_aftermath(&self) -> bool {
+        let loads = &self.params.loads;
+        !loads.forces.is_empty() || loads.picked || self.has_weather()
+    }
+
+    /// The forces on segments that are there already, by the rod.
+    fn forces_on_rods(&self) -> impl Iterator<Item = (usize, [f64; 3])> {
+        let forces = self.params.loads.forces.iter();
+        forces.filter_map(|PointForce { segment, force }| Some((self.rod_of(*segment)?, *force)))
+    }
+
+    /// Lets everything act that comes after growth.
     pub(super) fn endure(&self, linkage: &mut Linkage, loads: &mut Loads, report: &mut Report) {
-        let params = &self.params.loads;
-        if params.forces.is_empty() && !params.picked && !self.has_weather() {
+        if !self.has_aftermath() {
             return;
         }
         let mut steady = self.steady_loads(linkage);
-        for PointForce { segment, force } in &params.forces {
-            if let Some(rod) = self.rod_of(*segment) {
-                act(linkage, &mut steady, rod, into_plane(&self.params, *force));
-            }
+        for (rod, force) in self.forces_on_rods() {
+            act(linkage, &mut steady, rod, into_plane(&self.params, force));
         }
         let settings = self.settings();
         let mut workspace = Workspace::default();
-        let (outcome, borne) = self.rest_in_weather(linkage, steady, &mut |linkage, before, after| {
-            settle(linkage, before, after, &[], settings, &mut workspace)
-        });
+        let (outcome, borne) =
+            self.rest_in_weather(linkage, &self.state.loads, steady, &mut |linkage, before, after| {
+                settle(linkage, before, after, &[], settings, &mut workspace)
+            });
         *loads = borne;
-        report.status = report.status.max(outcome.status);
-        report.residual = outcome.residual;
-        report.iterations += outcome.iterations;
+        note(report, outcome);
+    }
+
+    /// As [`Growth::endure`], in space.
+    pub(super) fn endure_in_space(&self, shape: &mut Shape, force: &mut Vec<DVec3>, report: &mut Report) {
+        if !self.has_aftermath() {
+            return;
+        }
+        let mut steady = self.steady_force();
+        for (rod, pull) in self.forces_on_rods() {
+            act_in_space(&self.state.linkage, &mut steady, rod, DVec3::from_array(pull));
+        }
+        let (settings, rods) = (self.settings(), self.rods_in_space());
+        let mut workspace = space::Workspace::default();
+        let (outcome, borne) =
+            self.rest_in_weather(shape, &self.state.force, steady, &mut |shape, before, after| {
+                space::settle(rods, shape, before, after, &[], settings, &mut workspace)
+            });
+        *force = borne;
+        note(report, outcome);
     }
 
     /// How exactly to balance, so that there is room in the tolerance for forces that follow the shape.
@@ -57,38 +120,37 @@ impl Growth {
         Settings { tolerance: if self.has_weather() { (1.0 - 2.0 * SHARE) * tolerance } else { tolerance } }
     }
 
-    /// Brings the plant, which is in equilibrium with the loads that it grew with, to rest under `steady` loads and weather, by
-    /// `seek`, which takes loads to start from and to end with. Returns the loads that then act.
+    /// Brings the plant, which is in equilibrium with the loads that it was `grown_with`, to rest under `steady` loads and
+    /// weather, by `seek`, which takes loads to start from and to end with. Returns the loads that then act.
     ///
     /// Drag and snow depend on how the plant stands. In each search they are those of the shape before (so the Hessian, and
     /// what the report says of stability, take them as dead loads); then they follow the shape, over-relaxed as the last two
     /// rounds tell (Aitken's method for vectors; Irons & Tuck 1969), until they no longer change.
-    pub(super) fn rest_in_weather(
+    pub(super) fn rest_in_weather<S: Stance>(
         &self,
-        linkage: &mut Linkage,
-        steady: Loads,
-        seek: &mut dyn FnMut(&mut Linkage, &Loads, &Loads) -> Outcome,
-    ) -> (Outcome, Loads) {
+        shape: &mut S,
+        grown_with: &S::Loads,
+        steady: S::Loads,
+        seek: &mut Search<S>,
+    ) -> (Outcome, S::Loads) {
         if !self.has_weather() {
-            return (seek(linkage, &self.state.loads, &steady), steady);
+            return (seek(shape, grown_with, &steady), steady);
         }
-        let (mut before, mut used) = (self.state.loads.clone(), self.with_weather(&steady, linkage));
-        let mut last_gap = Loads::default();
+        let (mut before, mut used) = (grown_with.clone(), shape.with_weather(self, &steady));
+        let mut last_gap = S::Loads::default();
         let (mut relaxation, mut iterations) = (1.0, 0);
-        let mut state = Elimination::default();
         let mut rounds = MOST_ROUNDS;
         loop {
-            let mut outcome = seek(linkage, &before, &used);
+            let mut outcome = seek(shape, &before, &used);
             iterations += outcome.iterations;
             outcome.iterations = iterations;
-            let fresh = self.with_weather(&steady, linkage);
+            let fresh = shape.with_weather(self, &steady);
             let mut gap = fresh.clone();
-            gap.add(&used, -1.0);
-            state.evaluate(linkage, &gap);
-            let off = state.largest_torque();
-            state.evaluate(linkage, &fresh);
-            outcome.residual = state.relative_residual();
-            let near = off <= SHARE * self.params.solver.tolerance * state.largest_torque();
+            S::add(&mut gap, &used, -1.0);
+            let (off, _) = shape.torques(self, &gap);
+            let (largest, residual) = shape.torques(self, &fresh);
+            outcome.residual = residual;
+            let near = off <= SHARE * self.params.solver.tolerance * largest;
             rounds -= 1;
             if !near && rounds == 0 {
                 outcome.status = outcome.status.max(Status::MaxIterations);
@@ -96,42 +158,96 @@ impl Growth {
             if near || outcome.status != Status::Converged {
                 return (outcome, fresh);
             }
-            relaxation *= aitken(&gap, &last_gap);
+            relaxation *= aitken::<S>(&gap, &last_gap);
             before.clone_from(&used);
-            used.add(&gap, relaxation);
+            S::add(&mut used, &gap, relaxation);
             last_gap = gap;
         }
     }
+}
 
-    /// Loads, and the weather's in the present shape.
-    fn with_weather(&self, steady: &Loads, linkage: &Linkage) -> Loads {
-        let mut angle = Vec::new();
-        linkage.angles(&mut angle);
-        let base = self.params.axis.elevation.radians();
-        let forces = self.weather(&mut |rod| {
-            let (sin, cos) = sin_cos(base + angle[rod]);
-            turned(self.params.axis.azimuth, [cos, sin, 0.0])
-        });
-        let mut loads = Loads::none(0);
-        for force in forces {
-            let [x, y] = into_plane(&self.params, force);
-            loads.x.push(x);
-            loads.y.push(y);
-        }
-        loads.gather(linkage);
-        loads.add(steady, 1.0);
-        loads
-    }
+/// Adds what came of the aftermath to the report of growth.
+fn note(report: &mut Report, outcome: Outcome) {
+    report.status = report.status.max(outcome.status);
+    report.residual = outcome.residual;
+    report.iterations += outcome.iterations;
 }
 
 /// By which factor to change the relaxation of a fixed-point iteration whose last two steps were these.
-fn aitken(gap: &Loads, last_gap: &Loads) -> f64 {
-    let (mut along, mut square) = (0.0, 0.0);
-    for (gap, last) in [(&gap.x, &last_gap.x), (&gap.y, &last_gap.y)] {
-        for (gap, last) in gap.iter().zip(last) {
-            along += last * (last - gap);
-            square += (last - gap) * (last - gap);
+fn aitken<S: Stance>(gap: &S::Loads, last_gap: &S::Loads) -> f64 {
+    let (last, both, now) = (S::dot(last_gap, last_gap), S::dot(last_gap, gap), S::dot(gap, gap));
+    let square = last - 2.0 * both + now;
+    if square > 0.0 && last > 0.0 { (last - both) / square } else { 1.0 }
+}
+
+impl Stance for Linkage {
+    type Loads = Loads;
+
+    fn with_weather(&self, growth: &Growth, steady: &Loads) -> Loads {
+        let mut angle = Vec::new();
+        self.angles(&mut angle);
+        // In the frame of the base direction, where mirrored plants have mirrored numbers to the last bit.
+        let in_plane = |vector| {
+            let [x, y] = into_plane(&growth.params, vector);
+            [x, y, 0.0]
+        };
+        let (wind, up) = (in_plane(wind(&growth.params)), in_plane([0.0, 1.0, 0.0]));
+        let mut loads = Loads::none(0);
+        for [x, y, _] in growth.weather(wind, up, &mut |rod| {
+            let (sin, cos) = sin_cos(angle[rod]);
+            [cos, sin, 0.0]
+        }) {
+            loads.x.push(x);
+            loads.y.push(y);
         }
+        loads.gather(self);
+        loads.add(steady, 1.0);
+        loads
     }
-    if square > 0.0 { along / square } else { 1.0 }
+
+    fn torques(&self, _: &Growth, loads: &Loads) -> (f64, f64) {
+        let mut state = Elimination::default();
+        state.evaluate(self, loads);
+        (state.largest_torque(), state.relative_residual())
+    }
+
+    fn add(loads: &mut Loads, other: &Loads, times: f64) {
+        loads.add(other, times);
+    }
+
+    fn dot(loads: &Loads, other: &Loads) -> f64 {
+        let product = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        product(&loads.x, &other.x) + product(&loads.y, &other.y)
+    }
+}
+
+impl Stance for Shape {
+    type Loads = Vec<DVec3>;
+
+    fn with_weather(&self, growth: &Growth, steady: &Vec<DVec3>) -> Vec<DVec3> {
+        let mut balance = Balance::default();
+        balance.orient(growth.rods_in_space(), self);
+        let (wind, up) = (wind(&growth.params), [0.0, 1.0, 0.0]);
+        let forces = growth.weather(wind, up, &mut |rod| (balance.orientation[rod] * DVec3::X).to_array());
+        let mut loads: Vec<DVec3> = forces.into_iter().map(DVec3::from_array).collect();
+        gather(&growth.state.linkage.parent, &mut loads);
+        Self::add(&mut loads, steady, 1.0);
+        loads
+    }
+
+    fn torques(&self, growth: &Growth, loads: &Vec<DVec3>) -> (f64, f64) {
+        let rods = growth.rods_in_space();
+        let mut balance = Balance::default();
+        balance.orient(rods, self);
+        balance.weigh(rods, self, loads, 0.0);
+        (balance.largest_torque, balance.relative_residual())
+    }
+
+    fn add(loads: &mut Vec<DVec3>, other: &Vec<DVec3>, times: f64) {
+        loads.iter_mut().zip(other).for_each(|(to, &from)| *to += times * from);
+    }
+
+    fn dot(loads: &Vec<DVec3>, other: &Vec<DVec3>) -> f64 {
+        loads.iter().zip(other).map(|(a, b)| a.dot(*b)).sum()
+    }
 }

@@ -5,11 +5,14 @@ use crate::mechanics::GROUND;
 use crate::params::Discretization;
 
 impl Growth {
-    /// Mass of a segment's leaves, kg. Young wood is what was born in the last `loads.foliageAge` growth steps.
+    /// Whether a segment is young enough for leaves: born in the last `loads.foliageAge` growth steps.
+    pub(super) fn bears_leaves(&self, rod: usize) -> bool {
+        self.state.step < self.state.wood[rod].birth.saturating_add(self.params.loads.foliage_age)
+    }
+
+    /// Mass of a segment's leaves, kg.
     pub(super) fn leaf_mass(&self, rod: usize) -> f64 {
-        let loads = &self.params.loads;
-        let young = self.state.step < self.state.wood[rod].birth.saturating_add(loads.foliage_age);
-        if young { loads.foliage * self.state.linkage.length[rod] } else { 0.0 }
+        if self.bears_leaves(rod) { self.params.loads.foliage * self.state.linkage.length[rod] } else { 0.0 }
     }
 
     /// Adds what leaves and fruit weigh to the masses lumped at the rods' distal ends, kg.

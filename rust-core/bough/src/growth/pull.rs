@@ -50,11 +50,12 @@ impl Growth {
             false => self.steady_loads(&linkage),
         };
         let mut held = Held::default();
-        let (outcome, mut loads) = self.rest_in_weather(&mut linkage, steady, &mut |linkage, _, loads| {
-            held = hold(linkage, loads, rod, local, start, settings);
-            start = held.force;
-            held.outcome
-        });
+        let (outcome, mut loads) =
+            self.rest_in_weather(&mut linkage, &self.state.loads, steady, &mut |linkage, _, loads| {
+                held = hold(linkage, loads, rod, local, start, settings);
+                start = held.force;
+                held.outcome
+            });
         if outcome.status != Status::Converged {
             return None;
         }

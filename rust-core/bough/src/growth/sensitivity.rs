@@ -33,6 +33,7 @@ const SMOOTH: &[&str] = &[
     "branching.girthRatio",
     "loads.gravity",
     "loads.tipMass",
+    "loads.foliage",
     "loads.tipForce",
 ];
 
@@ -50,7 +51,7 @@ pub struct Sensitivity {
 }
 
 /// The plant at a growth step, and the exact derivatives of its points by the parameters at these places of the flat form.
-/// `None` where there are none: forces pull at the grown plant, growth is extrapolated, no equilibrium was found, or the
+/// `None` where there are none: anything acts on the grown plant alone (forces, weather, picking), growth is extrapolated, no equilibrium was found, or the
 /// plant is too large.
 ///
 /// # Errors
@@ -64,8 +65,7 @@ pub fn sensitivity(params: &Params, step: u32, wanted: &[u32]) -> Result<Option<
     let is_static = params.solver.stepping == Stepping::Static;
     // Derived are straight wood and planar growth, in the plane of the picture.
     let is_turned = params.axis.azimuth.0 != 0.0 || params.axis.rest_curvature != 0.0;
-    if growth.is_spatial || is_turned || !params.loads.forces.is_empty() || !(is_static || growth.is_exact())
-    {
+    if growth.is_spatial || is_turned || growth.has_aftermath() || !(is_static || growth.is_exact()) {
         return Ok(None);
     }
     let step = step.clamp(1, growth.steps());
@@ -300,8 +300,9 @@ impl Derivative {
         }
         self.tangent.load = Loads::none(rods);
         for rod in (0..rods).rev() {
-            let own = growth.mass(rod);
-            let own_along = own * self.mass[rod];
+            let wood = growth.mass(rod);
+            let own = wood + growth.leaf_mass(rod);
+            let own_along = wood * self.mass[rod] + self.leaves(growth, rod);
             let borne = mass[rod] + share * own;
             let borne_along = mass_along[rod] + share * own_along;
             let up = -along.gravity * borne - given.gravity * borne_along;
@@ -319,6 +320,15 @@ impl Derivative {
             self.tangent.load.y[rod as usize] += y * cos - x * sin;
             rod = linkage.parent[rod as usize];
         }
+    }
+
+    /// Derivative of the mass of a rod's leaves, kg.
+    fn leaves(&self, growth: &Growth, rod: usize) -> f64 {
+        if !growth.bears_leaves(rod) {
+            return 0.0;
+        }
+        let (given, along) = (&growth.params.loads, &self.direction.loads);
+        along.foliage * growth.state.linkage.length[rod] + given.foliage * self.tangent.length[rod]
     }
 
     /// Appends the derivative of every point of the plant.

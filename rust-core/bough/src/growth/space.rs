@@ -12,8 +12,8 @@ use super::state::{Growth, State};
 use super::tropism::{elasticity, turn_towards};
 use crate::mechanics::{GROUND, Outcome, Report, Settings, Status};
 use crate::params::{Params, PointForce, is_spatial};
-use crate::plant::Plant;
-use crate::space::{Balance, NEUTRAL, Rods, Shape, Workspace, direction, exp, hold, log, settle};
+use crate::plant::{Plant, largest_principal_stress};
+use crate::space::{Balance, NEUTRAL, Rods, Shape, direction, exp, hold, log, settle};
 
 /// The normal of the plane of a plant that lies in one and is computed in space all the same.
 pub(super) fn plane_of(params: &Params) -> Option<DVec3> {
@@ -103,19 +103,8 @@ impl Growth {
             shape.deviation.fill([0.0; 3]);
             force.fill(DVec3::ZERO);
             report.residual = 0.0;
-        } else if !self.params.loads.forces.is_empty() {
-            let before = force.clone();
-            for PointForce { segment, force: pull } in &self.params.loads.forces {
-                if let Some(rod) = self.rod_of(*segment) {
-                    act_in_space(&self.state.linkage, &mut force, rod, DVec3::from_array(*pull));
-                }
-            }
-            let settings = Settings { tolerance: self.params.solver.tolerance };
-            let rods = self.rods_in_space();
-            let outcome = settle(rods, &mut shape, &before, &force, &[], settings, &mut Workspace::default());
-            report.status = report.status.max(outcome.status);
-            report.residual = outcome.residual;
-            report.iterations += outcome.iterations;
+        } else {
+            self.endure_in_space(&mut shape, &mut force, &mut report);
         }
         self.seen_in_space(&shape, &force, report)
     }
@@ -145,8 +134,8 @@ impl Growth {
         grip: Option<Grip>,
     ) -> Option<(Plant, Grip)> {
         let rod = self.rod_of(segment)?;
-        let settings = Settings { tolerance: self.params.solver.tolerance };
-        let (mut shape, start) = match grip {
+        let settings = self.settings();
+        let (mut shape, mut start) = match grip {
             Some(Grip::Space { segment: held, shape, force })
                 if held == segment && shape.rest.len() == self.rods() =>
             {
@@ -156,25 +145,35 @@ impl Growth {
         };
         let rods = self.rods_in_space();
         let place = DVec3::from_array(place);
-        let held = hold(rods, &mut shape, &self.state.force, rod, place, start, settings);
-        if held.outcome.status != Status::Converged {
+        let (mut stable, mut pull) = (false, DVec3::ZERO);
+        let steady = self.steady_force();
+        let (outcome, mut force) =
+            self.rest_in_weather(&mut shape, &self.state.force, steady, &mut |shape, _, loads| {
+                let held = hold(rods, shape, loads, rod, place, start, settings);
+                (start, pull, stable) = (held.force, held.force, held.stable);
+                held.outcome
+            });
+        if outcome.status != Status::Converged {
             return None;
         }
-        let mut force = self.state.force.clone();
-        act_in_space(&self.state.linkage, &mut force, rod, held.force);
-        let iterations = self.state.report.iterations + held.outcome.iterations;
+        act_in_space(&self.state.linkage, &mut force, rod, pull);
+        let iterations = self.state.report.iterations + outcome.iterations;
         let mut plant = self.seen_in_space(&shape, &force, Report { iterations, ..self.state.report });
-        plant.report.stable = Some(held.stable);
-        plant.params.loads.forces = vec![PointForce { segment, force: held.force.to_array() }];
-        Some((plant, Grip::Space { segment, shape, force: held.force }))
+        plant.report.stable = Some(stable);
+        plant.params.loads.forces = vec![PointForce { segment, force: pull.to_array() }];
+        Some((plant, Grip::Space { segment, shape, force: pull }))
     }
 
-    /// Largest fibre stress at every rod's base joint, as [`super::plant::stress`]; of the pipes' bending alone.
+    /// Largest fibre stress at every rod's base joint, as [`super::plant::stress`], of bending and twisting together.
     pub(super) fn stress_in_space(&self, shape: &Shape) -> Vec<f64> {
         let wood = &self.state.wood;
         let modulus = self.params.material.youngs_modulus;
         let strain = |rod: usize, radius: f64, bent: f64| modulus * radius * bent / wood[rod].joint_length;
-        let bend = |rod: usize, rotation: DVec3| shape.across(rod, rotation)[0];
+        let shear = self.params.material.shear_modulus_ratio;
+        let bend = |rod: usize, rotation: DVec3| {
+            let [bent, twisted] = shape.across(rod, rotation);
+            largest_principal_stress(bent, shear * twisted)
+        };
         if !self.remembers_pipes() {
             let whole = |rod: usize| {
                 strain(rod, self.section(rod).radius(), bend(rod, DVec3::from_array(shape.deviation[rod])))

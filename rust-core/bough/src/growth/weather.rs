@@ -3,6 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use glam::DVec3;
+
 use super::state::Growth;
 use crate::params::Params;
 
@@ -40,23 +42,28 @@ impl Growth {
         self.params.loads.snow > 0.0 || self.params.loads.wind > 0.0
     }
 
-    /// Forces of snow and wind at the distal ends of the rods, in the world's frame, x, y, z in N; `direction` is where each rod
-    /// points there. Drag on leaves is along the wind, however they hang: they turn and fold in it.
-    pub(super) fn weather(&self, direction: &mut dyn FnMut(usize) -> [f64; 3]) -> Vec<[f64; 3]> {
+    /// Forces of snow and wind at the distal ends of the rods, N; `direction` is where each rod points there. Drag on leaves is
+    /// along the wind, however they hang: they turn and fold in it. Vectors are in any frame, in which the wind (m/s) and
+    /// upwards are these.
+    pub(super) fn weather(
+        &self,
+        wind: [f64; 3],
+        up: [f64; 3],
+        direction: &mut dyn FnMut(usize) -> [f64; 3],
+    ) -> Vec<[f64; 3]> {
         let loads = &self.params.loads;
-        let wind = wind(&self.params);
         let mut forces = vec![[0.0; 3]; self.rods()];
         for rod in 0..forces.len() {
             let direction = direction(rod);
-            let [x, _, z] = direction;
             let side = 2.0 * self.section(rod).radius() * self.state.linkage.length[rod];
             let leaves = self.leaf_mass(rod) * loads.foliage_area;
-            let mut force = wind_force(wind, direction, loads.drag_coefficient * side);
+            let push = wind_force(wind, direction, loads.drag_coefficient * side);
             let on_leaves = 0.5 * AIR * loads.foliage_drag * leaves * loads.wind;
-            force[1] -= loads.snow * (side * libm::hypot(x, z) + leaves) * loads.gravity;
+            let level = DVec3::from_array(direction).cross(DVec3::from_array(up)).length();
+            let weight = loads.snow * (side * level + leaves) * loads.gravity;
             for (node, share) in self.shares(rod) {
                 for axis in 0..3 {
-                    forces[node][axis] += share * (force[axis] + on_leaves * wind[axis]);
+                    forces[node][axis] += share * (push[axis] + on_leaves * wind[axis] - weight * up[axis]);
                 }
             }
         }

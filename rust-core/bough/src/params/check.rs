@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 
 use super::cost::{MAX_SEGMENTS, too_large};
 use super::declaration::{
-    ArrangementPattern, Branching, BranchingPattern, Loads, Method, PARAMETERS, Params, Thickening,
+    ArrangementPattern, Branching, BranchingPattern, Method, PARAMETERS, Params, Thickening,
 };
 use super::issue::{Issue, Sentence};
 use super::parameter::{Kind, Parameter};
@@ -133,20 +133,6 @@ fn unsupported(params: &Params) -> Vec<Issue> {
             "loads.forces must be empty around a stem; it has {}.",
             &[pulls.len() as f64],
             (None, None),
-        ));
-    }
-    let Loads { wind, wind_azimuth, snow, picked, .. } = params.loads;
-    let is_around = params.arrangement.pattern == ArrangementPattern::Stem;
-    let across = (wind_azimuth.0 - params.axis.azimuth.0) % 180.0 != 0.0;
-    let comes = wind > 0.0 || snow > 0.0 || picked;
-    if (wind > 0.0 && (is_around || across)) || (comes && is_spatial(params)) {
-        issues.push(Issue::new(
-            "unsupported",
-            "loads.wind",
-            wind,
-            "loads.wind must be 0 unless it blows in the one vertical plane of a plant, and snow and picking are for plants in such planes; it is {}.",
-            &[wind],
-            (Some(0.0), Some(0.0)),
         ));
     }
     let forks = params.branching.pattern == BranchingPattern::Bifurcation;

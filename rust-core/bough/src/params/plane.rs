@@ -20,6 +20,13 @@ pub(crate) fn is_spatial(params: &Params) -> bool {
         || sought_in_plane(params).is_none()
         || pulls_aside(loads.tip_force)
         || loads.forces.iter().any(|pull| pulls_aside(pull.force))
+        || blows_aside(params)
+}
+
+/// Whether the wind blows across the plane of the axis.
+fn blows_aside(Params { axis, arrangement, loads, .. }: &Params) -> bool {
+    let is_alone = arrangement.pattern != ArrangementPattern::Stem;
+    is_alone && loads.wind > 0.0 && !is_half_turns(Degrees(loads.wind_azimuth.0 - axis.azimuth.0))
 }
 
 /// The preferred direction above the horizontal, as an angle in the plane of the axis; `None` where it lies beside that plane.
@@ -37,13 +44,12 @@ pub(crate) fn sought_in_plane(params: &Params) -> Option<Degrees> {
     }
 }
 
-/// Whether the copies around a rigid stem differ by more than their azimuth, because they seek one direction in space.
+/// Whether the copies around a rigid stem differ by more than their azimuth, because they seek one direction in space or stand
+/// in one wind.
 pub(crate) fn copies_differ(params: &Params) -> bool {
-    let Params { tropism, arrangement, .. } = params;
-    arrangement.pattern == ArrangementPattern::Stem
-        && tropism.strength > 0.0
-        && tropism.azimuth.is_some()
-        && tropism.elevation.sin_cos().1 != 0.0
+    let Params { tropism, arrangement, loads, .. } = params;
+    let seeks = tropism.strength > 0.0 && tropism.azimuth.is_some() && tropism.elevation.sin_cos().1 != 0.0;
+    arrangement.pattern == ArrangementPattern::Stem && (seeks || loads.wind > 0.0)
 }
 
 fn is_half_turns(angle: Degrees) -> bool {

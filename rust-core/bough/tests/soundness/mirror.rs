@@ -15,6 +15,7 @@ pub fn check_mirrored(params: &Params) {
     mirrored.branching.roll.0 = 180.0 - params.branching.roll.0;
     mirrored.axis.rest_curvature *= -1.0;
     mirrored.loads.tip_force[0] *= -1.0;
+    mirrored.loads.wind_azimuth.0 = 180.0 - params.loads.wind_azimuth.0;
     for pull in &mut mirrored.loads.forces {
         pull.force[0] *= -1.0;
     }

@@ -11,6 +11,7 @@
 #![allow(unreachable_pub, missing_docs, reason = "shared between crates by path")]
 
 mod case;
+mod forces;
 mod mirror;
 mod sound;
 mod statics;
@@ -187,6 +188,7 @@ fn planar(mut params: Params) -> Option<Params> {
         params.arrangement.pattern = ArrangementPattern::Single;
     }
     params.loads.tip_force[2] = 0.0;
+    params.loads.wind_azimuth.0 = if params.loads.wind_azimuth.0 > 0.0 { 180.0 } else { 0.0 };
     params.branching.roll.0 = if params.branching.roll.0 > 0.0 { 180.0 } else { 0.0 };
     if params.branching.pattern == BranchingPattern::Bifurcation
         && params.growth.thickening == Thickening::None

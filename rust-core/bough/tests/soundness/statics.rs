@@ -6,6 +6,8 @@ use std::f64::consts::PI;
 use bough::Plant;
 use bough::params::{Discretization, Thickening};
 
+use super::forces::forces;
+
 /// One rod: a segment, or the massless node of a fork.
 struct Rod {
     bearer: Option<usize>,
@@ -177,46 +179,7 @@ impl Statics {
 /// What a scaled pivot must exceed to count as positive beyond any rounding.
 pub const CLEARLY: f64 = 1e-6;
 
-/// Force at the distal end of every segment, and the size of all forces that these are sums of, N.
-fn forces(plant: &Plant, pulled: bool) -> (Vec<[f64; 2]>, f64) {
-    let Plant { params, segments, .. } = plant;
-    let loads = &params.loads;
-    let paper = params.solver.discretization == Discretization::Paper;
-    let count = segments.parent.len();
-    let mut force = vec![[0.0, 0.0]; count];
-    let mut size = 0.0;
-    let mut act = |segment: usize, [x, y]: [f64; 2]| {
-        if let Some(force) = force.get_mut(segment) {
-            force[0] += x;
-            force[1] += y;
-            size += x.abs() + y.abs();
-        }
-    };
-    if !loads.removed {
-        let mut is_tip = vec![true; count];
-        for segment in 0..count {
-            let weight = segments.mass[segment] * loads.gravity;
-            let bearer = usize::try_from(segments.parent[segment]).ok();
-            act(segment, [0.0, -if paper { weight } else { 0.5 * weight }]);
-            if let Some(bearer) = bearer {
-                act(bearer, [0.0, -if paper { 0.0 } else { 0.5 * weight }]);
-                is_tip[bearer] = false;
-            }
-        }
-        for tip in (0..count).filter(|&segment| is_tip[segment]) {
-            act(tip, [0.0, -loads.tip_mass * loads.gravity]);
-        }
-        if let Some(tip) = (0..count).rev().find(|&segment| segments.axis[segment] == 0) {
-            act(tip, [loads.tip_force[0], loads.tip_force[1]]);
-        }
-    }
-    for pull in loads.forces.iter().filter(|_| pulled) {
-        act(pull.segment as usize, [pull.force[0], pull.force[1]]);
-    }
-    (force, size)
-}
-
-fn rods(plant: &Plant, force: Vec<[f64; 2]>) -> Vec<Rod> {
+fn rods(plant: &Plant, force: Vec<[f64; 3]>) -> Vec<Rod> {
     let (params, segments) = (&plant.params, &plant.segments);
     let paper = params.solver.discretization == Discretization::Paper;
     let modulus = params.material.youngs_modulus;
@@ -282,7 +245,7 @@ fn rods(plant: &Plant, force: Vec<[f64; 2]>) -> Vec<Rod> {
             stiffness,
             deviation: (curvature - rest) * joint_length,
             angles: below + own,
-            force: force[segment],
+            force: [force[segment][0], force[segment][1]],
             moment: Some(segments.moment[segment]),
         });
     }
