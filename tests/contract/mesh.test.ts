@@ -57,6 +57,17 @@ function openEdges(index: ArrayLike<number>, vertices: number): number {
   return [...passes.values()].filter((balance) => balance !== 0).length;
 }
 
+/**
+ * The largest radius of an axis that begins where another ends. It begins about a radius inside its bearer, and if it points
+ * back along it its first ring is the diagonal of that, and a tenth for the bend there, away from the point.
+ */
+function thickestAtEnds({ polylines: { points, radii, offsets } }: Plant): number {
+  const place = (point: number) => points.subarray(3 * point, 3 * point + 3).join();
+  const ends = new Set(Array.from(offsets.subarray(1), (next) => place(next - 1)));
+  const starts = Array.from(offsets.subarray(0, -1)).filter((first) => ends.has(place(first)));
+  return Math.max(0, ...starts.map((first) => radii[first] ?? 0));
+}
+
 describe.each(Object.entries(presets))("the mesh of %s", (_, preset) => {
   let plant: Plant;
   let group: PlantGroup;
@@ -98,10 +109,11 @@ describe.each(Object.entries(presets))("the mesh of %s", (_, preset) => {
     const arc = Math.max(
       ...length.map((own, segment) => (Math.abs(curvature[segment] ?? 0) * own * own) / 8),
     );
+    const root = (Math.SQRT2 - 1) * thickestAtEnds(plant) * 1.1;
     for (const k of [0, 1, 2] as const) {
       const [low, high] = [box.min.getComponent(k), box.max.getComponent(k)];
       // Positions are numbers of 24 bits.
-      const bulge = arc + 1e-6 * (max[k] - min[k]);
+      const bulge = arc + root + 1e-6 * (max[k] - min[k]);
       expect(low).toBeGreaterThan(min[k] - bulge);
       expect(high).toBeLessThan(max[k] + bulge);
       // The box of the polylines has half a sphere at every end, the mesh ends in the last point: up to a radius less.

@@ -11,7 +11,7 @@ use super::declaration::{
 };
 use super::issue::{Issue, Sentence};
 use super::parameter::{Kind, Parameter};
-use super::plane::is_spatial;
+use super::plane::{copies_differ, is_spatial};
 use super::value::FORCE_WIDTH;
 
 /// Least radius of a twig, m: far below an atom's, and its fourth power is still a number.
@@ -115,7 +115,7 @@ fn problem(parameter: &Parameter, value: f64) -> Option<Issue> {
 fn unsupported(params: &Params) -> Vec<Issue> {
     let mut issues = Vec::new();
     let pulls = &params.loads.forces;
-    if is_spatial(params) && params.solver.method == Method::Euler {
+    if (is_spatial(params) || copies_differ(params)) && params.solver.method == Method::Euler {
         issues.push(Issue::new(
             "unsupported",
             "solver.method",
