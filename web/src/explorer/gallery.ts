@@ -48,7 +48,7 @@ export function card(
   return html`<li>
     <button type="button" class="plate" title=${title} aria-pressed=${id === present} @click=${() => choose(id)}>
       <span class="thumbnail">${thumbnail(id ?? "default")}</span>
-      <span class="plate-name">${plateName(id)}</span> <span class="plate-title">${title}</span>
+      ${isOfPaper(id) ? html`<span class="plate-name">${plateName(id)}</span> <span class="plate-title">${title}</span>` : html`<span class="plate-name">${title}</span>`}
     </button>
   </li>`;
 }
@@ -57,6 +57,11 @@ export function card(
 function thumbnail(id: string): TemplateResult {
   const hide = ({ target }: Event) => (target as HTMLElement).remove();
   return html`<img src="presets/${id}.webp" alt="" width="160" height="120" loading="lazy" decoding="async" @error=${hide} />`;
+}
+
+/** Plants one knows go by their own name. */
+function isOfPaper(id: string | null): boolean {
+  return plateName(id) !== "Plant";
 }
 
 /** "figure-8a" is "Figure 8 a"; what is not of the paper is a plant. */
