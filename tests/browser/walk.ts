@@ -209,7 +209,7 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
 }
 
 /** The plant that is shown is that of the address, grown here. Returns 1 where that could be compared. */
-async function comparePlant(page: Page): Promise<number> {
+export async function comparePlant(page: Page): Promise<number> {
   const { state } = read(new URL(page.url()).search);
   const steps = stepsOf(state.params);
   // A plant in a hand is bent by it; and what takes long was cancelled.

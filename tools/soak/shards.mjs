@@ -33,6 +33,7 @@ export const shards = [
     },
   })),
   ...hosts.map(({ name, run }) => ({ job: "course", name: `a course page in ${name}`, run })),
+  { job: "course", name: "every link of the course, opened in the page", run: courseLinks },
   { job: "memory", name: "a million plants", run: memory },
   { job: "widgets", name: "thirty widgets and two dozen frames, five rounds of each", run: widgets },
   { job: "sweeps", name: "ten thousand plants on workers of Dask", run: daskSweep },
@@ -85,10 +86,20 @@ async function widgets() {
     .join("\n");
 }
 
+async function courseLinks() {
+  await buildSite();
+  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/browser/course-links"];
+  const printed = await runCommand("links of the course", soak, { limit: 3600, env: { NO_COLOR: "1" } });
+  return printed
+    .split("\n")
+    .filter((line) => line.startsWith("course links: "))
+    .join("\n");
+}
+
 /** @param {number} seed */
 async function walkAbout(seed) {
   await buildSite();
-  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/browser"];
+  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/browser/walk"];
   const env = { NO_COLOR: "1", BOUGH_SEED: String(seed), BOUGH_ACTIONS: "10000" };
   const printed = await runCommand(`random actions, seed ${seed}`, soak, { limit: 7200, env });
   return printed
