@@ -30,4 +30,4 @@ macro_rules! replays {
     };
 }
 
-replays! { bytes values extremes forks ages mirror grips }
+replays! { bytes values extremes forks ages mirror grips space }

@@ -4,42 +4,12 @@
 
 use bough::angle::Degrees;
 use bough::mechanics::Status;
-use bough::params::{
-    ArrangementPattern, BranchingPattern, Discretization, PRESETS, Params, PointForce, Stepping, Thickening,
-    check,
-};
+use bough::params::{ArrangementPattern, Discretization, PRESETS, Params, Stepping, check};
 use bough::{History, Plant, grow};
 
-#[path = "soundness/forces.rs"]
-mod forces;
 mod support;
-use forces::forces;
+use support::space::{all_planar, apart, assert_held, bush, length};
 use support::{distance, heavy_rod};
-
-fn points(plant: &Plant) -> impl Iterator<Item = [f64; 3]> {
-    plant.polylines.points.chunks_exact(3).map(|point| [point[0], point[1], point[2]])
-}
-
-fn turned([x, y, z]: [f64; 3], degrees: f64) -> [f64; 3] {
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    [x * cos + z * sin, y, z * cos - x * sin]
-}
-
-/// Length of a plant, along its longest axis and everything that bears it.
-fn length(plant: &Plant) -> f64 {
-    let mut reach = vec![0.0_f64; plant.segments.parent.len()];
-    for segment in 0..reach.len() {
-        let below = usize::try_from(plant.segments.parent[segment]).map_or(0.0, |parent| reach[parent]);
-        reach[segment] = below + plant.segments.length[segment];
-    }
-    reach.into_iter().fold(0.0, f64::max)
-}
-
-/// Farthest that a point of one plant is from where the other, turned, has it.
-fn apart(plant: &Plant, other: &Plant, degrees: f64) -> f64 {
-    let pairs = points(plant).zip(points(other));
-    pairs.map(|(here, there)| distance(here, turned(there, degrees))).fold(0.0, f64::max)
-}
 
 fn assert_same(name: &str, space: &Plant, plane: &Plant, degrees: f64) {
     let off = apart(space, plane, degrees) / length(plane);
@@ -93,29 +63,6 @@ fn planar_plants_are_the_same_in_space() {
     }
 }
 
-/// A plant with every kind of load, growth and bend that a plane can have.
-fn all_planar() -> Params {
-    let mut params = Params::default();
-    params.axis.segments = 12;
-    params.axis.elevation = Degrees(35.0);
-    params.axis.rest_curvature = -0.8;
-    params.axis.rest_curvature_roll = Degrees(180.0);
-    params.tropism.elevation = Degrees(70.0);
-    params.tropism.strength = 2.0;
-    params.growth.thickening = Thickening::Pipes;
-    params.branching.pattern = BranchingPattern::Bifurcation;
-    params.branching.generations = 2;
-    params.branching.girth_ratio = 0.7;
-    params.branching.roll = Degrees(180.0);
-    params.axis.radius = 0.002;
-    params.material.youngs_modulus = 3e9;
-    params.loads.tip_mass = 0.002;
-    params.loads.tip_force = [0.01, 0.02, 0.0];
-    params.loads.forces = vec![PointForce { segment: 20, force: [0.05, -0.1, 0.0] }];
-    params.solver.tolerance = 1e-13;
-    params
-}
-
 #[test]
 fn loads_bends_and_mirrored_forks_are_the_same_in_space() {
     for discretization in [Discretization::SecondOrder, Discretization::Paper] {
@@ -132,19 +79,6 @@ fn loads_bends_and_mirrored_forks_are_the_same_in_space() {
             assert_same("relaxed", &relaxed, &grow(&params).unwrap(), 0.0);
         }
     }
-}
-
-/// Forks that stand crosswise, wood that bends aside and twists, a fruit, light from one side.
-fn bush() -> Params {
-    let mut params = all_planar();
-    params.branching.roll = Degrees(80.0);
-    params.branching.generations = 3;
-    params.axis.segments = 8;
-    params.axis.rest_curvature_roll = Degrees(40.0);
-    params.axis.rest_twist = 1.5;
-    params.loads.tip_force = [0.0; 3];
-    params.loads.forces.clear();
-    params
 }
 
 #[test]
@@ -402,99 +336,4 @@ fn the_physical_branch_is_followed_in_space() {
             );
         }
     }
-}
-
-/// Every kind of load that a plant in space can have, after growth: it rests, by the forces that its shape shows, summed
-/// here.
-#[test]
-fn weather_in_space_is_balanced_at_the_shape_shown() {
-    let mut bush = bush();
-    bush.loads.foliage = 0.01;
-    bush.loads.foliage_age = 5;
-    bush.loads.tip_mass = 0.001;
-    for (wind, snow, picked) in [(6.0, 0.0, false), (0.0, 3.0, false), (0.0, 0.0, true), (4.0, 2.0, true)] {
-        let calm = grow(&bush).unwrap();
-        let mut params = bush.clone();
-        (params.loads.wind, params.loads.snow, params.loads.picked) = (wind, snow, picked);
-        params.loads.wind_azimuth = Degrees(70.0);
-        let plant = grow(&params).unwrap();
-        assert_eq!(plant.report.status, Status::Converged);
-        assert!(plant.report.residual <= params.solver.tolerance, "{:?}", plant.report);
-        assert!(apart(&plant, &calm, 0.0) > 1e-4 * length(&calm), "nothing has moved");
-        assert_held(&plant);
-        // Turned with its wind it is the same plant turned.
-        params.axis.azimuth.0 += 40.0;
-        params.loads.wind_azimuth.0 += 40.0;
-        params.solver.tolerance = 1e-13;
-        let tighter = grow(&params).unwrap();
-        assert!(apart(&tighter, &plant, 40.0) < 1e-7 * length(&plant));
-    }
-}
-
-/// The base bears the moment of all forces at the shape shown.
-fn assert_held(plant: &Plant) {
-    let expected = base_moment(plant);
-    let segments = &plant.segments;
-    let found = f64::hypot(segments.moment[0], segments.twist_moment[0]);
-    let largest = segments.moment.iter().fold(0.0_f64, |most, moment| most.max(moment.abs()));
-    assert!((found - expected).abs() <= 1e-9 * largest.max(1e-300), "{found} {expected}");
-}
-
-/// Size of the moment of all forces about the base, N m.
-fn base_moment(plant: &Plant) -> f64 {
-    let mut about = [0.0_f64; 3];
-    for (segment, [fx, fy, fz]) in forces(plant, true).0.into_iter().enumerate() {
-        let point = 3 * plant.segments.point[segment] as usize;
-        let [x, y, z] = [0, 1, 2].map(|axis| plant.polylines.points[point + axis]);
-        about[0] += y * fz - z * fy;
-        about[1] += z * fx - x * fz;
-        about[2] += x * fy - y * fx;
-    }
-    about[0].hypot(about[1]).hypot(about[2])
-}
-
-/// In a wind the copies around a stem are no longer copies: each leans to where it blows, and that which points against it is
-/// lifted or pressed as the same axis alone.
-#[test]
-fn axes_around_a_stem_lean_with_the_wind() {
-    let mut params = Params::default();
-    params.axis.segments = 10;
-    params.axis.elevation = Degrees(60.0);
-    params.arrangement.pattern = ArrangementPattern::Stem;
-    params.arrangement.count = 4;
-    params.arrangement.interval = 0;
-    params.arrangement.divergence = Degrees(90.0);
-    let calm = grow(&params).unwrap();
-    params.loads.wind = 8.0;
-    let blown = grow(&params).unwrap();
-    assert_eq!(blown.report.status, Status::Converged);
-    for axis in 1..=4 {
-        let ([x, ..], [before, ..]) = (blown.tip(axis), calm.tip(axis));
-        assert!(x > before + 1e-4, "axis {axis}: {before} to {x}");
-        let mut alone = params.clone();
-        alone.arrangement.pattern = ArrangementPattern::Single;
-        alone.axis.azimuth = Degrees(90.0 * (axis - 1) as f64);
-        let one = grow(&alone).unwrap();
-        let mut foot = one.tip(0);
-        foot[1] += axis as f64 * params.arrangement.spacing;
-        assert!(distance(blown.tip(axis), foot) < 1e-12);
-    }
-}
-
-/// A point held in a wind that blows across the plane.
-#[test]
-fn a_point_is_held_in_the_wind_in_space() {
-    let mut params = Params::default();
-    params.loads.wind = 6.0;
-    params.loads.wind_azimuth = Degrees(90.0);
-    let mut history = History::new(&params).unwrap();
-    let [x, y, z] = history.at(40).tip(0);
-    let place = [x, y + 0.03, z + 0.03];
-    let held = history.hold(39, place).unwrap();
-    assert!(held.report.residual <= params.solver.tolerance, "{}", held.report.residual);
-    assert_eq!(held.report.stable, Some(true));
-    assert!(distance(held.tip(0), place) < 1e-8);
-    params.loads.forces = held.params.loads.forces.clone();
-    let pulled = grow(&params).unwrap();
-    assert!(distance(pulled.tip(0), held.tip(0)) < 1e-8);
 }

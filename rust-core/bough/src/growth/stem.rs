@@ -3,6 +3,7 @@
 
 use alloc::vec;
 
+use super::pull::turned;
 use crate::angle::Degrees;
 use crate::params::{ArrangementPattern, Params, copies_differ};
 use crate::plant::{Plant, Polylines, Segments};
@@ -31,6 +32,8 @@ pub(super) fn alone(params: &Params, copy: usize) -> Params {
     let mut alone = params.clone();
     alone.arrangement.pattern = ArrangementPattern::Single;
     alone.axis.azimuth.0 = (params.axis.azimuth.0 + copy as f64 * params.arrangement.divergence.0) % 360.0;
+    // Around a stem it is given in each axis's own plane.
+    alone.loads.tip_force = turned(alone.axis.azimuth, params.loads.tip_force);
     alone
 }
 

@@ -5,10 +5,10 @@ use alloc::vec::Vec;
 
 use glam::DVec3;
 
-use super::pull::{act, act_in_space, into_plane};
+use super::pull::{act, act_in_space, into_plane, turned};
 use super::state::{Growth, State};
 use crate::mechanics::{GROUND, Loads, pass_down};
-use crate::params::{Discretization, Thickening};
+use crate::params::{ArrangementPattern, Discretization, Thickening};
 
 impl Growth {
     /// Mass of a segment's wood, kg (equation 23); 0 for the node of a fork.
@@ -70,8 +70,14 @@ impl Growth {
             force.clear();
             force.extend(x.iter().map(|&weight| DVec3::new(0.0, weight, 0.0)));
         }
-        if let Some(main) = axes.iter().find(|axis| axis.generation == 0 && axis.segments > 0) {
-            let (tip, pull) = (main.bearer as usize, params.loads.tip_force);
+        let mains = axes.iter().filter(|axis| axis.generation == 0 && axis.segments > 0);
+        // Around a stem every axis is pulled at, in its own plane.
+        let around = params.arrangement.pattern != ArrangementPattern::Single;
+        let most = if around { axes.len() } else { 1 };
+        for main in mains.take(most) {
+            let tip = main.bearer as usize;
+            let pull =
+                if around { turned(main.azimuth, params.loads.tip_force) } else { params.loads.tip_force };
             if self.is_spatial {
                 act_in_space(linkage, force, tip, DVec3::from_array(pull));
             } else {

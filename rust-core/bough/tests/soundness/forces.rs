@@ -2,7 +2,7 @@
 
 use bough::Plant;
 use bough::growth::{AIR, wind, wind_force};
-use bough::params::Discretization;
+use bough::params::{ArrangementPattern, Discretization};
 
 /// Force at the distal end of every segment, x, y, z in N, and the size of all forces that these are sums of. `pulled` says
 /// whether forces pull at segments. What the ground bears is left out.
@@ -33,8 +33,23 @@ pub(crate) fn forces(plant: &Plant, pulled: bool) -> (Vec<[f64; 3]>, f64) {
         for tip in (0..count).filter(|&segment| is_tip[segment] && !loads.picked) {
             act(tip, [0.0, -loads.tip_mass * loads.gravity, 0.0]);
         }
-        if let Some(tip) = (0..count).rev().find(|&segment| segments.axis[segment] == 0) {
-            act(tip, loads.tip_force);
+        let tip_of = |axis: u32| (0..count).rev().find(|&segment| segments.axis[segment] == axis);
+        if plant.params.arrangement.pattern == ArrangementPattern::FlexibleStem {
+            let mut tips: Vec<(u32, usize)> = (0..count)
+                .filter(|&segment| segments.order[segment] == 1)
+                .map(|segment| (segments.axis[segment], segment))
+                .collect();
+            tips.sort_unstable();
+            tips.dedup_by_key(|(axis, _)| *axis);
+            for (copy, (axis, _)) in tips.into_iter().enumerate() {
+                let turn =
+                    plant.params.axis.azimuth.0 + copy as f64 * plant.params.arrangement.divergence.0 % 360.0;
+                let (sin, cos) = turn.to_radians().sin_cos();
+                let [x, y, z] = loads.tip_force;
+                act(tip_of(axis).unwrap_or(count), [x * cos + z * sin, y, z * cos - x * sin]);
+            }
+        } else {
+            act(tip_of(0).unwrap_or(count), loads.tip_force);
         }
     }
     for pull in loads.forces.iter().filter(|_| pulled) {

@@ -13,6 +13,7 @@
 mod case;
 mod forces;
 mod mirror;
+mod moments;
 mod sound;
 mod statics;
 
@@ -25,6 +26,7 @@ use bough::{History, grow};
 
 pub use case::Values;
 pub use mirror::check_mirrored;
+pub use moments::check_moments;
 pub use sound::{check_held, check_plant, check_shape};
 
 /// Most segment-steps of a plant that is grown here: tens of microseconds each.
@@ -137,6 +139,19 @@ pub fn mirror(data: &[u8]) {
     });
 }
 
+/// Plants in space: what bends aside, twists, forks aside, is lit or blown at from aside.
+pub fn space(data: &[u8]) {
+    let mut bytes = Unstructured::new(data);
+    let Ok(mut params) = case::params(&mut bytes, Values::Mixed) else { return };
+    params.solver.space = true;
+    params.solver.method = Method::Newton;
+    if let Some(params) = grown_by_newton(params, MOST_STEPPED / 4.0) {
+        let plant = grow(&params).unwrap();
+        check_shape(&plant);
+        check_moments(&plant);
+    }
+}
+
 /// A point held anywhere.
 pub fn grips(data: &[u8]) {
     let _ = pull(data);
@@ -190,6 +205,11 @@ fn planar(mut params: Params) -> Option<Params> {
     params.loads.tip_force[2] = 0.0;
     params.loads.wind_azimuth.0 = if params.loads.wind_azimuth.0 > 0.0 { 180.0 } else { 0.0 };
     params.branching.roll.0 = if params.branching.roll.0 > 0.0 { 180.0 } else { 0.0 };
+    grown_by_newton(params, MOST_STEPPED)
+}
+
+/// The params with what no refusal but that of size is expected of, if they are small enough.
+fn grown_by_newton(mut params: Params, most: f64) -> Option<Params> {
     if params.branching.pattern == BranchingPattern::Bifurcation
         && params.growth.thickening == Thickening::None
     {
@@ -204,7 +224,7 @@ fn planar(mut params: Params) -> Option<Params> {
         assert!(is_expected, "{issue:?}");
         check_refusal(&params, issue);
     }
-    (issues.is_empty() && is_small(&params, MOST_STEPPED)).then_some(params)
+    (issues.is_empty() && is_small(&params, most)).then_some(params)
 }
 
 /// A refusal names the largest value that fits: with that the plant is not refused for the same reason, with one more it is.
@@ -241,8 +261,8 @@ fn is_small(params: &Params, most: f64) -> bool {
         scale *= params.branching.length_ratio;
     }
     let copies = match params.arrangement.pattern {
-        ArrangementPattern::Single | ArrangementPattern::FlexibleStem => 1.0,
-        ArrangementPattern::Stem => f64::from(params.arrangement.count),
+        ArrangementPattern::Single => 1.0,
+        ArrangementPattern::Stem | ArrangementPattern::FlexibleStem => f64::from(params.arrangement.count),
     };
     !euler && copies * stepped <= most && whole <= 300.0
 }

@@ -1,6 +1,8 @@
 //! What several tests share: rods given by their dimensionless groups, and convergence orders.
 #![allow(dead_code, reason = "each test uses a part")]
 
+pub(crate) mod space;
+
 use bough::params::{Params, Thickening};
 
 /// A uniform rod of length 1 m and radius 10 mm with `q = w L^3 / EI`, cut into equal segments.
