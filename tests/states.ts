@@ -2,7 +2,15 @@
 import fc from "fast-check";
 import { type Parameter, parameters, presets, type Value } from "../web/src/params/declaration.ts";
 import { assemble, type Params, stepsOf, valueAt } from "../web/src/params/params.ts";
-import { colors, presetState, type State, styles, themes, views } from "../web/src/params/state.ts";
+import {
+  colors,
+  languages,
+  presetState,
+  type State,
+  styles,
+  themes,
+  views,
+} from "../web/src/params/state.ts";
 import { structure } from "../web/src/params/structure.ts";
 
 /** Any value of a parameter within its hard range; the ends, and numbers of all sizes, included. */
@@ -57,12 +65,13 @@ export const anyState: fc.Arbitrary<State> = fc
       color: fc.constantFrom(...colors),
       style: fc.constantFrom(...styles),
       theme: fc.constantFrom(...themes),
+      lang: fc.constantFrom(...languages),
     }),
   )
   .map((state) => ({ ...state }));
 
 /** What is not valid about a state; empty when all is. */
-export function faults({ preset, params, step, view, color, style, theme }: State): string[] {
+export function faults({ preset, params, step, view, color, style, theme, lang }: State): string[] {
   const found = structure(params).issues.map(({ message }) => message);
   for (const { kind, path, min, max } of parameters) {
     const numbers = [valueAt(params, path)].flat().filter((value) => typeof value === "number");
@@ -73,7 +82,11 @@ export function faults({ preset, params, step, view, color, style, theme }: Stat
   const stepIsValid = step === null || (Number.isInteger(step) && step >= 1 && step <= stepsOf(params));
   if (!stepIsValid) found.push(`no step ${step}`);
   const namesAreKnown =
-    views.includes(view) && colors.includes(color) && styles.includes(style) && themes.includes(theme);
+    views.includes(view) &&
+    colors.includes(color) &&
+    styles.includes(style) &&
+    themes.includes(theme) &&
+    languages.includes(lang);
   if (!namesAreKnown) found.push("unknown name");
   return found;
 }

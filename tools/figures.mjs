@@ -6,6 +6,7 @@ import { mkdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { build, preview, runnerImport } from "vite";
 import { launchChromium } from "./chromium.mjs";
+import { makeIcons } from "./figures/icons.mjs";
 import { makePosters } from "./figures/posters.mjs";
 import { makeSheet } from "./figures/sheet.mjs";
 import { makeThumbnail } from "./figures/thumbnail.mjs";
@@ -76,6 +77,7 @@ async function drawPresets(browser) {
     const species = figures.filter((figure) => !paper.includes(figure));
     await writeFile(join(root, "docs", "species.png"), await makeSheet(browser, species, titles.species));
     figures.push(await draw(browser, server.resolvedUrls?.local[0] ?? "", null, { title: "", params: {} }));
+    await makeIcons(browser);
     const thumbnails = join(root, "public", "presets");
     await mkdir(thumbnails, { recursive: true });
     for (const { id, plant } of figures) {

@@ -24,7 +24,13 @@ export async function visit(
   query = "",
   options: BrowserContextOptions = {},
 ): Promise<Visit> {
-  const context = await browser.newContext({ viewport: desktop, reducedMotion: "reduce", ...options });
+  const context = await browser.newContext({
+    viewport: desktop,
+    reducedMotion: "reduce",
+    // What is kept for times without a network is tried where it matters: anywhere.test.ts.
+    serviceWorkers: "block",
+    ...options,
+  });
   const page = await context.newPage();
   const problems = listen(page);
   await page.addInitScript(watch);
@@ -38,7 +44,9 @@ export function listen(page: Page): string[] {
   const problems: string[] = [];
   const site = new URL(inject("site")).origin;
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) problems.push(`${message.type()}: ${message.text()}`);
+    const isOurs = message.text().startsWith("Service Worker registration blocked by Playwright");
+    if (!isOurs && ["error", "warning"].includes(message.type()))
+      problems.push(`${message.type()}: ${message.text()}`);
   });
   page.on("pageerror", (error) => problems.push(`exception: ${error.stack}`));
   page.on("requestfailed", (request) => problems.push(`failed: ${request.url()}`));

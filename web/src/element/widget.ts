@@ -70,7 +70,7 @@ export class Widget {
     this.#grower = new Grower(this.#engine, {
       onPlant: (plant, grown) => this.#take(plant, grown),
       onIssues: (issues) => this.#refuse(issues),
-      onFailure: (message) => this.#fail(`The plant could not be computed. ${message}`, []),
+      onFailure: ({ message }) => this.#fail(`The plant could not be computed. ${message}`, []),
       onProgress: (share) => this.#say(share === null ? "" : "Growing …", "info"),
       onRest: () => {
         this.#draw();

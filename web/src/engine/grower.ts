@@ -4,6 +4,7 @@ import { BoughError, type Issue } from "../params/issue.ts";
 import { type Params, sameParams } from "../params/params.ts";
 import type { Plant } from "../plant/plant.ts";
 import type { Engine } from "./engine.ts";
+import { LostError } from "./failure.ts";
 
 /** Who is told what came of a wish. */
 export interface Listener {
@@ -12,7 +13,9 @@ export interface Listener {
   /** No plant can be grown from the wanted params. */
   onIssues(issues: readonly Issue[]): void;
   /** The engine broke. */
-  onFailure(message: string): void;
+  onFailure(error: Error): void;
+  /** The engine was lost in the midst of the work, and begins it anew. */
+  onRestart?(): void;
   /** It takes long: the share that is done; null when it is over. */
   onProgress(share: number | null): void;
   /** Nothing is wanted any more. */
@@ -25,6 +28,8 @@ const long = 150;
 interface Wish {
   readonly params: Params;
   readonly step: number | null;
+  /** Whether the engine was lost over it already: what kills two engines would kill a third. */
+  readonly again?: boolean;
 }
 
 export class Grower {
@@ -72,7 +77,7 @@ export class Grower {
       try {
         await this.#fulfil(wish, running);
       } catch (error) {
-        if (!running.abort.signal.aborted) this.#tell(error);
+        if (!running.abort.signal.aborted) this.#recover(wish, error);
       } finally {
         clearTimeout(timer);
         if (running.isLong) this.#listener.onProgress(null);
@@ -98,8 +103,12 @@ export class Grower {
     this.#listener.onPlant(young ?? grown, grown);
   }
 
-  #tell(error: unknown): void {
-    if (error instanceof BoughError) this.#listener.onIssues(error.issues);
-    else this.#listener.onFailure(error instanceof Error ? error.message : String(error));
+  /** After a loss the wish is made once more: the next request starts a new engine. Everything else is told. */
+  #recover(wish: Wish, error: unknown): void {
+    if (error instanceof LostError && !wish.again) {
+      this.#wish ??= { ...wish, again: true };
+      this.#listener.onRestart?.();
+    } else if (error instanceof BoughError) this.#listener.onIssues(error.issues);
+    else this.#listener.onFailure(error instanceof Error ? error : new Error(String(error)));
   }
 }

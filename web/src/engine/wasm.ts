@@ -36,6 +36,9 @@ async function instantiate(source: () => Source | PromiseLike<Source>): Promise<
 
 /** The module, from wherever it comes; workers take it as it is. */
 export async function compiled(source: Source): Promise<CompiledModule> {
+  if (typeof WebAssembly === "undefined") {
+    throw new LoadError("This browser has no WebAssembly; in a lockdown mode it may be switched off.");
+  }
   if (source instanceof WebAssembly.Module) return source;
   const { bytes, origin } = await received(source as Origin);
   requireWasm(bytes, origin);

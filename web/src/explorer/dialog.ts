@@ -1,5 +1,6 @@
 /** What opens over the page. Loaded when it is first wanted. */
 import { html, render, type TemplateResult } from "lit";
+import { say } from "../language/say.ts";
 import { icon } from "./icons.ts";
 import "../style/dialog.css";
 
@@ -16,7 +17,7 @@ export function openDialog(title: string, name: string, content: TemplateResult)
     html`<div class="content">
       <div class="dialog-head">
         <h2 id="${name}-title">${title}</h2>
-        <button type="button" class="tool" aria-label="Close" title="Close" @click=${close}>${icon("close")}</button>
+        <button type="button" class="tool" aria-label=${say("Close")} title=${say("Close")} @click=${close}>${icon("close")}</button>
       </div>
       ${content}
     </div>`,

@@ -1,30 +1,33 @@
 /** The dialog that makes the snippet for another page. Loaded when it is first wanted. */
 import { html, nothing, render, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import type { Text } from "../language/english.ts";
+import { say } from "../language/say.ts";
 import { type State, themes } from "../params/state.ts";
 import { openDialog } from "./dialog.ts";
+import { download } from "./download.ts";
 import { controls, type Form, frameAddress, posterFile, snippet, type Wishes } from "./snippet.ts";
 import "../style/embed.css";
 
 /** Sizes that fit a text, a page, a slide. */
-const sizes = [
+const sizes: readonly (readonly [name: Text, width: number, height: number])[] = [
   ["Small", 480, 320],
   ["Medium", 640, 420],
   ["Large", 960, 600],
-] as const;
+];
 /** Smaller shows nothing, larger no screen. px */
 const [least, most] = [120, 4000];
 
-const forms: Readonly<Record<Form, string>> = {
+const forms: Readonly<Record<Form, Text>> = {
   iframe: "For a course page (LMS)",
   element: "For your own page",
 };
-const themeNames: Readonly<Record<State["theme"], string>> = {
+const themeNames: Readonly<Record<State["theme"], Text>> = {
   auto: "As the reader’s",
   light: "Light",
   dark: "Dark",
 };
-const controlNames: Readonly<Record<Wishes["controls"], string>> = {
+const controlNames: Readonly<Record<Wishes["controls"], Text>> = {
   full: "All",
   compact: "A few",
   none: "None",
@@ -32,7 +35,7 @@ const controlNames: Readonly<Record<Wishes["controls"], string>> = {
 
 /** Opens the dialog for what is shown; `picture` is the drawing of it, if there is one. */
 export function openEmbed(state: State, title: string, picture: HTMLCanvasElement | null): void {
-  openDialog("Embed", "embedding", html`<div class="embed"></div>`);
+  openDialog(say("Embed"), "embedding", html`<div class="embed"></div>`);
   const host = document.querySelector<HTMLElement>("dialog.embedding .embed");
   if (host) new Embedding(host, state, title, picture);
 }
@@ -79,54 +82,54 @@ class Embedding {
       html`<div class="wishes">
           <div class="where">
           ${choice(
-            "Where",
+            say("Where"),
             "form",
             Object.keys(forms) as Form[],
             form,
-            (one) => forms[one],
+            (one) => say(forms[one]),
             (one) => this.#wish({ form: one }),
           )}
           <label class="title"
-            >Title, for readers who do not see it
+            >${say("Title, for readers who do not see it")}
             <span class="box"
               ><input type="text" .value=${live(wishes.title)} @input=${(event: Event) => this.#wish({ title: (event.target as HTMLInputElement).value.trim() || this.#title })} /></span
           ></label>
           ${form === "element" ? this.#poster() : nothing}
           </div>
           <fieldset>
-            <legend>Size</legend>
+            <legend>${say("Size")}</legend>
             ${sizes.map(
               ([name, across, down]) => html`<label class="option"
-                ><input type="radio" name="size" .checked=${live(name === chosen)} @change=${() => this.#resize(String(across), String(down))} />${name}
+                ><input type="radio" name="size" .checked=${live(name === chosen)} @change=${() => this.#resize(String(across), String(down))} />${say(name)}
                 <span class="unit">${across} × ${down}</span></label
               >`,
             )}
-            <div class="own">${this.#side("width", "Width")} ${this.#side("height", "Height")}</div>
+            <div class="own">${this.#side("width", say("Width"))} ${this.#side("height", say("Height"))}</div>
           </fieldset>
           ${choice(
-            "Theme",
+            say("Theme"),
             "embed-theme",
             themes,
             wishes.theme,
-            (one) => themeNames[one],
+            (one) => say(themeNames[one]),
             (theme) => this.#wish({ theme }),
           )}
           ${choice(
-            "Controls",
+            say("Controls"),
             "controls",
             controls,
             wishes.controls,
-            (one) => controlNames[one],
+            (one) => say(controlNames[one]),
             (one) => this.#wish({ controls: one }),
           )}
         </div>
         <label class="snippet"
-          >${form === "iframe" ? "Paste this as HTML" : "Put this into your page"}
+          >${form === "iframe" ? say("Paste this as HTML") : say("Put this into your page")}
           <textarea readonly rows="6" spellcheck="false" .value=${snippet(this.#state, location.href, wishes)} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea></label
         >
         <p class="deed">
-          <button type="button" class="copy" @click=${() => this.#copy()}>Copy</button>
-          <a href=${frameAddress(this.#state, location.href, wishes)} target="_blank" rel="noopener">Open it by itself</a>
+          <button type="button" class="copy" @click=${() => this.#copy()}>${say("Copy")}</button>
+          <a href=${frameAddress(this.#state, location.href, wishes)} target="_blank" rel="noopener">${say("Open it by itself")}</a>
           <span role="status">${this.#said}</span>
         </p>`,
       this.#host,
@@ -153,20 +156,20 @@ class Embedding {
             @input=${enter}
           /><span class="unit">px</span></span
         ></label
-      >${isWrong ? html`<p class="issue" id="embed-${side}" role="alert">${name} must be a whole number from ${least} to ${most}.</p>` : nothing}`;
+      >${isWrong ? html`<p class="issue" id="embed-${side}" role="alert">${say("{0} must be a whole number from {1} to {2}.", name, least, most)}</p>` : nothing}`;
   }
 
   #poster(): TemplateResult {
     return html`<fieldset>
-      <legend>Poster</legend>
+      <legend>${say("Poster")}</legend>
       <label class="option"
         ><input
           type="checkbox"
           .checked=${live(this.#wishes.poster)}
           @change=${(event: Event) => this.#wish({ poster: (event.target as HTMLInputElement).checked })}
-        />A picture until it is touched</label
+        />${say("A picture until it is touched")}</label
       >
-      ${this.#wishes.poster && this.#picture ? html`<button type="button" @click=${() => this.#savePicture()}>Save ${posterFile}</button>` : nothing}
+      ${this.#wishes.poster && this.#picture ? html`<button type="button" @click=${() => this.#savePicture()}>${say("Save {0}", posterFile)}</button>` : nothing}
     </fieldset>`;
   }
 
@@ -180,10 +183,10 @@ class Embedding {
     const text = this.#host.querySelector("textarea");
     try {
       await navigator.clipboard.writeText(text?.value ?? "");
-      this.#said = "Copied.";
+      this.#said = say("Copied.");
     } catch {
       text?.focus();
-      this.#said = "Copying is not allowed here; the text is selected.";
+      this.#said = say("Copying is not allowed here; the text is selected.");
     }
     this.#render();
   }
@@ -191,13 +194,7 @@ class Embedding {
   #savePicture(): void {
     this.#picture?.toBlob(
       (blob) => {
-        if (!blob) return;
-        const address = URL.createObjectURL(blob);
-        const link = document.createElement("a");
-        link.href = address;
-        link.download = posterFile;
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(address));
+        if (blob) download(blob, posterFile);
       },
       "image/webp",
       0.9,

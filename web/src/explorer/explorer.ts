@@ -4,6 +4,8 @@ import { describe } from "../element/description.ts";
 import type { Engine } from "../engine/engine.ts";
 import { Grower } from "../engine/grower.ts";
 import type { Entry } from "../form/entry.ts";
+import { speak } from "../language/load.ts";
+import { say } from "../language/say.ts";
 import { read } from "../params/link.ts";
 import { colors, presetState, type State, styles, themes, views } from "../params/state.ts";
 import { type Change, Store } from "../params/store.ts";
@@ -11,11 +13,14 @@ import type { Plant } from "../plant/plant.ts";
 import type { Study } from "../study/study.ts";
 import { Address } from "./address.ts";
 import { copyLink } from "./clipboard.ts";
+import { listenForFiles } from "./drop.ts";
+import { failureText } from "./failure.ts";
 import { revealPlate, titleOf } from "./gallery.ts";
 import { Intake } from "./intake.ts";
 import { Late } from "./late.ts";
 import type { Actions, Model } from "./model.ts";
 import { Narrator } from "./narrator.ts";
+import { noticeText } from "./notice.ts";
 import { Notices } from "./notices.ts";
 import { page } from "./page.ts";
 import { Passage } from "./passage.ts";
@@ -47,7 +52,7 @@ export class Explorer {
   #grown: Plant | null = null;
   #progress: number | null = null;
   readonly #narrator = new Narrator((text) => {
-    this.#picture?.stage.canvas.setAttribute("aria-label", `The plant. ${text}`);
+    this.#picture?.stage.canvas.setAttribute("aria-label", `${say("The plant")}. ${text}`);
     this.#render();
   });
   #drags = false;
@@ -65,7 +70,7 @@ export class Explorer {
       () => this.#want(),
     );
     this.#theme.apply(state.theme);
-    for (const { message } of notices) this.#notices.add(message);
+    for (const notice of notices) this.#notices.add(noticeText(notice, state));
     this.#store.subscribe((_, change) => this.#take(change));
     root.addEventListener("bough-enter", (event) => {
       this.#replay.stop();
@@ -73,6 +78,7 @@ export class Explorer {
       this.#rest();
     });
     listenToKeys(this.#actions);
+    listenForFiles((file) => this.#open(file));
     this.#renderNow();
   }
 
@@ -80,6 +86,7 @@ export class Explorer {
   async start(startEngine: () => Promise<Engine>): Promise<void> {
     const starting = startEngine();
     this.#openPicture();
+    this.#speak();
     try {
       this.#openStudy = () => this.#layOut(startEngine);
       await this.#use(await starting);
@@ -96,7 +103,8 @@ export class Explorer {
     this.#grower = new Grower(engine, {
       onPlant: (plant, grown) => this.#show(plant, grown),
       onIssues: (issues) => this.#intake?.show(issues),
-      onFailure: (message) => this.#fail(message),
+      onFailure: (error) => this.#fail(error),
+      onRestart: () => this.#notices.add(say("The computation broke off, and was begun again.")),
       onProgress: (share) => {
         this.#progress = share;
         this.#render();
@@ -105,7 +113,11 @@ export class Explorer {
       onRest: () => this.#draw(),
     });
     this.#want();
-    this.#late.load(() => this.#lendHand(engine));
+    this.#late.load(async () => {
+      await this.#lendHand(engine);
+      const { keepOffline } = await import("./offline.ts");
+      await keepOffline();
+    });
   }
 
   /** From now on the plant can be touched: no sooner than it is there, so that it is there the sooner. */
@@ -145,7 +157,9 @@ export class Explorer {
       this.#picture = new Picture(host, this.#notices, () => this.#rest());
     } catch {
       this.#notices.add(
-        "This browser draws no 3D pictures (WebGL 2 is missing or switched off); the numbers work all the same.",
+        say(
+          "This browser draws no 3D pictures (WebGL 2 is missing or switched off); the numbers work all the same.",
+        ),
         { tone: "problem" },
       );
     }
@@ -167,6 +181,12 @@ export class Explorer {
     this.#draw();
   }
 
+  /** Opens the document of a plant. */
+  #open(file: File): void {
+    const intake = this.#intake;
+    if (intake) this.#late.file(file, { intake, store: this.#store, notices: this.#notices });
+  }
+
   /** The state changed. */
   #take(change: Change): void {
     this.#drags = change === "dragging";
@@ -174,7 +194,18 @@ export class Explorer {
     if (change === "undo" || change === "redo") this.#intake?.clear();
     this.#replay.stop();
     this.#theme.apply(this.#store.state.theme);
+    this.#speak();
     this.#want();
+  }
+
+  /** Speaks the language of the state. */
+  #speak(): void {
+    this.#late.load(async () => {
+      const isOther = await speak(this.#store.state.lang);
+      document.title = say("Bough: how branches bend as they grow");
+      if (isOther) this.#picture?.say();
+      if (isOther) this.#draw();
+    });
   }
 
   /** Wants the plant that the state, or the replay of its growth, is about. */
@@ -239,7 +270,7 @@ export class Explorer {
   #cancel(): void {
     this.#grower?.cancel();
     if (this.#plant) this.#store.set({ params: this.#plant.params }, "settled");
-    this.#notices.add("Growing was cancelled.", { passes: this.#plant === null });
+    this.#notices.add(say("Growing was cancelled."), { passes: this.#plant === null });
   }
 
   /** Takes the loads off, or puts them on again. */
@@ -271,8 +302,8 @@ export class Explorer {
   }
 
   #fail(error: unknown): void {
-    const reason = error instanceof Error ? error.message : String(error);
-    this.#notices.add(`The plant could not be computed. ${reason}`, { tone: "problem", passes: true });
+    const text = say("The plant could not be computed. {0}", failureText(error));
+    this.#notices.add(text, { tone: "problem", passes: true });
     this.#rest();
   }
 
@@ -352,6 +383,19 @@ export class Explorer {
       dismiss: (notice) => this.#notices.dismiss((other) => other === notice),
       showGallery: () => this.#late.gallery(this.#store.state.preset, this.#actions),
       showKeys: () => this.#late.keys(),
+      showTakeAway: () => {
+        this.#late.takeAway({
+          state: this.#store.state,
+          title: titleOf(this.#store.state.preset),
+          link: this.#address.link,
+          plant: this.#shape,
+          grown: this.#grown,
+          stage: this.#picture?.stage ?? null,
+          play: (onPlayed) => this.#replay.play(true, onPlayed),
+          stop: () => this.#replay.stop(),
+          open: (file) => this.#open(file),
+        });
+      },
       showEmbed: () => {
         const { state } = this.#store;
         this.#late.embed(state, titleOf(state.preset), this.#picture?.stage.canvas ?? null);

@@ -1,13 +1,15 @@
 /** Lets into the state only what a plant can be grown from; says of the rest what is wrong with it. */
 import type { Engine } from "../engine/engine.ts";
 import type { Entry } from "../form/entry.ts";
+import { issueText } from "../form/issue.ts";
+import { say } from "../language/say.ts";
 import { parameterAt } from "../params/declaration.ts";
 import type { Issue } from "../params/issue.ts";
 import { defaults, type Params, valueAt, withValue } from "../params/params.ts";
 import type { Store } from "../params/store.ts";
 
 export class Intake {
-  readonly #check: Engine["check"];
+  readonly #check: (params: unknown) => Promise<Issue[]>;
   readonly #store: Store;
   readonly #onChange: () => void;
   #issues: ReadonlyMap<string, Issue> = new Map();
@@ -53,6 +55,11 @@ export class Intake {
     if (!first) this.#store.set({ params: withValue(this.#store.state.params, path, value) }, how);
   }
 
+  /** What is wrong with anything that is given as params. */
+  check(params: unknown): Promise<Issue[]> {
+    return this.#check(params);
+  }
+
   /** Takes issues that were found on the way. */
   show(found: readonly Issue[]): void {
     this.#put(new Map(found.map((issue) => [issue.path, issue])));
@@ -72,7 +79,7 @@ export class Intake {
     for (const { path } of issues) {
       if (parameterAt(path)) repaired = withValue(repaired, path, valueAt(defaults, path));
     }
-    const sentences = issues.map(({ message }) => `${message} Its default is taken instead.`);
+    const sentences = issues.map((issue) => say("{0} Its default is taken instead.", issueText(issue)));
     // Ranges are repaired already; a combination that is still refused gives way to the default plant.
     const rest = await this.#check(repaired);
     return { params: rest.length > 0 ? defaults : repaired, sentences };

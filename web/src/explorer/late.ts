@@ -1,7 +1,10 @@
 /** Parts of the page that are loaded when they are first wanted. */
+import { say } from "../language/say.ts";
 import type { State } from "../params/state.ts";
 import type { Actions } from "./model.ts";
 import type { Notices } from "./notices.ts";
+import type { Counter } from "./opening.ts";
+import type { Desk } from "./take-away.ts";
 
 export class Late {
   readonly #notices: Notices;
@@ -14,7 +17,7 @@ export class Late {
   load(work: () => Promise<void>): void {
     work().catch((error: unknown) => {
       const reason = error instanceof Error ? error.message : String(error);
-      this.#notices.add(`A part of the page could not be loaded: reload it. (${reason})`, {
+      this.#notices.add(say("A part of the page could not be loaded: reload it. ({0})", reason), {
         tone: "problem",
       });
     });
@@ -28,6 +31,16 @@ export class Late {
   /** Opens the list of keys. */
   keys(): void {
     this.load(async () => (await import("./keys.ts")).openKeys());
+  }
+
+  /** Opens what makes files of the plant. */
+  takeAway(desk: Desk): void {
+    this.load(async () => (await import("./take-away.ts")).openTakeAway(desk));
+  }
+
+  /** Opens a file that was dropped or chosen. */
+  file(file: File, counter: Counter): void {
+    this.load(async () => (await import("./opening.ts")).openFile(file, counter));
   }
 
   /** Opens what makes the snippet that shows the same in another page. */

@@ -1,6 +1,7 @@
 /** The key to the colours of the plant. */
 import { html, nothing, svg, type TemplateResult } from "lit";
 import { legend as legendOf } from "../geometry/legend.ts";
+import { say } from "../language/say.ts";
 import type { Model } from "./model.ts";
 
 /** A colour scale with its numbers, in real units; nothing while the plant wears its bark. */
@@ -9,10 +10,10 @@ export function legend({ plant, grown, state: { color } }: Model): TemplateResul
   if (!key) return nothing;
   const { title, unit, stops, ticks } = key;
   const percent = (offset: number) => `${(100 * offset).toFixed(2)}%`;
-  const said = `from ${ticks[0]?.text} to ${ticks.at(-1)?.text} ${unit}`;
+  const said = say("Colour scale from {0} to {1} {2}", ticks[0]?.text ?? "", ticks.at(-1)?.text ?? "", unit);
   return html`<figure class="legend">
     <figcaption>${title} <span class="unit">${unit}</span></figcaption>
-    <svg role="img" aria-label="Colour scale ${said}">
+    <svg role="img" aria-label=${said}>
       <linearGradient id="legend-colors">
         ${stops.map(({ offset, css }) => svg`<stop offset=${offset} stop-color=${css} />`)}
       </linearGradient>

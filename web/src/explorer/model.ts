@@ -62,6 +62,8 @@ export interface Actions {
   showControls(): void;
   showGallery(): void;
   showKeys(): void;
+  /** Opens what makes files of the plant. */
+  showTakeAway(): void;
   /** Opens what makes the snippet for another page. */
   showEmbed(): void;
 }

@@ -1,6 +1,7 @@
 /** The page as a whole, made anew from the model after every change; lit touches only what differs. */
 import { html, nothing, type TemplateResult } from "lit";
 import { groupForms, mainForm } from "../form/form.ts";
+import { say } from "../language/say.ts";
 import { gallery } from "./gallery.ts";
 import { type Icon, icon } from "./icons.ts";
 import { legend } from "./legend.ts";
@@ -17,13 +18,13 @@ export function page(model: Model, actions: Actions): TemplateResult {
     actions.showControls();
   };
   const form = { ...model, params: model.state.params };
-  return html`<a class="skip" href="#controls" @click=${skip}>Skip to the controls</a>
+  return html`<a class="skip" href="#controls" @click=${skip}>${say("Skip to the controls")}</a>
     ${masthead(model, actions)}
     <main>
-      <section class="view" aria-label="The plant">
+      <section class="view" aria-label=${say("The plant")}>
         <div class="stage"></div>
         <p id="touch-hint" class="visually-hidden">
-          Drag any point of the plant to pull at it, or press Enter to take hold of the tip and pull with the arrow keys.
+          ${say("Drag any point of the plant to pull at it, or press Enter to take hold of the tip and pull with the arrow keys.")}
         </p>
         ${look(model, actions)} ${legend(model)} ${viewTools(model, actions)} ${progress(model, actions)} ${notices(model, actions)}
         ${pullNote(model, actions)} ${timeline(model, actions)}
@@ -31,13 +32,13 @@ export function page(model: Model, actions: Actions): TemplateResult {
       <div class="panel" id="controls" tabindex="-1">
         ${gallery(model, actions)}
         <section aria-labelledby="controls-title">
-          <h2 id="controls-title" class="visually-hidden">Controls</h2>
+          <h2 id="controls-title" class="visually-hidden">${say("Controls")}</h2>
           ${mainForm(form)}
         </section>
         ${readout(model)}
         <div class="study"></div>
         <section class="groups" aria-labelledby="more-title">
-          <h2 id="more-title">More</h2>
+          <h2 id="more-title">${say("More")}</h2>
           ${groupForms(form)}
         </section>
       </div>
@@ -53,22 +54,22 @@ function viewTools({ holds }: Model, actions: Actions): TemplateResult {
       type="button"
       class="tool hold"
       aria-pressed=${holds}
-      title="Take hold of the tip (or drag any point of the plant)"
-      aria-label="Take hold of the tip"
+      title=${say("Take hold of the tip (or drag any point of the plant)")}
+      aria-label=${say("Take hold of the tip")}
       @click=${actions.toggleHold}
     >
       ${icon("hand")}
     </button>
-    ${tool("farther", "Zoom out", () => actions.zoom(0.8))} ${tool("closer", "Zoom in", () => actions.zoom(1.25))}
-    ${tool("fit", "Show the whole plant", actions.fit)}
+    ${tool("farther", say("Zoom out"), () => actions.zoom(0.8))} ${tool("closer", say("Zoom in"), () => actions.zoom(1.25))}
+    ${tool("fit", say("Show the whole plant"), actions.fit)}
   </div>`;
 }
 
 function progress({ progress }: Model, actions: Actions): TemplateResult | typeof nothing {
   if (progress === null) return nothing;
   return html`<div class="progress">
-    <label>Growing <progress max="1" .value=${progress}></progress></label>
-    <button type="button" @click=${actions.cancel}>Cancel</button>
+    <label>${say("Growing")} <progress max="1" .value=${progress}></progress></label>
+    <button type="button" @click=${actions.cancel}>${say("Cancel")}</button>
   </div>`;
 }
 
@@ -77,7 +78,7 @@ function notices({ notices }: Model, actions: Actions): TemplateResult {
     ${notices.map(
       (notice) => html`<p class="notice ${notice.tone}">
         ${notice.text}
-        <button type="button" class="tool" aria-label="Dismiss" @click=${() => actions.dismiss(notice)}>${icon("close")}</button>
+        <button type="button" class="tool" aria-label=${say("Dismiss")} @click=${() => actions.dismiss(notice)}>${icon("close")}</button>
       </p>`,
     )}
   </div>`;

@@ -1,4 +1,5 @@
 /** The stage in the page: how it is named to those who do not see it, what it shows, and what is said when it cannot. */
+import { say } from "../language/say.ts";
 import type { Plant } from "../plant/plant.ts";
 import type { Force } from "../scene/force.ts";
 import { type Showing, Stage } from "../scene/stage.ts";
@@ -25,13 +26,21 @@ export class Picture {
     const { canvas } = this.stage;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "The plant");
-    const lost =
-      "The graphics card dropped the picture: this is the last one. It will come back, or after a reload.";
+    canvas.setAttribute("aria-label", say("The plant"));
+    const lost = say(
+      "The graphics card dropped the picture: this is the last one. It will come back, or after a reload.",
+    );
     canvas.addEventListener("bough-lost", () => notices.add(lost, { tone: "problem" }));
     canvas.addEventListener("bough-restored", () => notices.dismiss(({ text }) => text === lost));
     canvas.addEventListener("bough-due", onRest);
     canvas.addEventListener("bough-drawn", onRest);
+  }
+
+  /** Says what is written on it anew: in another language. */
+  say(): void {
+    const sight = this.#sight;
+    this.#sight = null;
+    if (sight) this.show(sight);
   }
 
   /** Shows a plant, if that is anything new: while another is being computed, nothing is drawn again. */

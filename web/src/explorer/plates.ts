@@ -1,15 +1,17 @@
 /** The gallery of all plates. Loaded when it is first wanted. */
 import { html, type TemplateResult } from "lit";
+import type { Text } from "../language/english.ts";
+import { say } from "../language/say.ts";
 import { presets } from "../params/declaration.ts";
 import { openDialog } from "./dialog.ts";
 import { card, titleOf } from "./gallery.ts";
 import type { Actions } from "./model.ts";
 import { makeStop, rove } from "./roving.ts";
 
-const plain = "An axis under its weight";
+const plain: Text = "An axis under its weight";
 
 /** The plates by what they are about, each named by the figures that it shows. */
-const chapters: readonly (readonly [title: string, figures: RegExp])[] = [
+const chapters: readonly (readonly [title: Text, figures: RegExp])[] = [
   ["Which way an organ grows", /^figure-2[a-e]$/],
   [plain, /^figure-(8|10)/],
   ["Tropism turns it up", /^figure-13/],
@@ -26,9 +28,9 @@ export function openGallery(present: string | null, actions: Actions): void {
   };
   const known = Object.keys(presets);
   const rest = known.filter((id) => !chapters.some(([, figures]) => figures.test(id)));
-  const chapter = (title: string, ids: readonly (string | null)[]) =>
-    html`<section aria-label=${title}>
-      <h3>${title}</h3>
+  const chapter = (title: Text, ids: readonly (string | null)[]) =>
+    html`<section aria-label=${say(title)}>
+      <h3>${say(title)}</h3>
       <ul class="plates">
         ${ids.map((id) => card(id, titleOf(id), present, choose))}
       </ul>
@@ -39,7 +41,7 @@ export function openGallery(present: string | null, actions: Actions): void {
     return chapter(title, title === plain ? [null, ...own] : own);
   });
   const close = openDialog(
-    "All plates",
+    say("All plates"),
     "all-plates",
     html`<div @keydown=${rove} @focusin=${rove}>${all} ${rest.length > 0 ? chapter("More", rest) : ""}</div>`,
   );

@@ -1,8 +1,9 @@
 /** What can be measured on the plant. */
 import { html, nothing, type TemplateResult } from "lit";
-import { angle, gravitySentence, solverSentence, strengthSentence } from "../element/description.ts";
+import { angle, gravitySentence, placed, solverSentence, strengthSentence } from "../element/description.ts";
 import { quantityText } from "../form/quantity.ts";
 import { measure } from "../geometry/measure.ts";
+import { say } from "../language/say.ts";
 import { isBroken } from "../plant/plant.ts";
 import type { Model } from "./model.ts";
 
@@ -16,21 +17,21 @@ export function readout({ plant, pull }: Model): TemplateResult | typeof nothing
   const strength = strengthSentence(plant);
   const sound = report.status === "converged" && (report.stable !== false || pull !== null);
   return html`<section class="readout" aria-labelledby="readout-title">
-    <h2 id="readout-title">Measured</h2>
+    <h2 id="readout-title">${say("Measured")}</h2>
     <dl>
-      <div><dt>Length</dt><dd>${quantityText(length, "m")}</dd></div>
+      <div><dt>${say("Length")}</dt><dd>${quantityText(length, "m")}</dd></div>
       <div>
-        <dt>Tip</dt>
-        <dd>${place(tip[0])} across, ${place(Math.abs(tip[1]))} ${tip[1] < 0 ? "down" : "up"} <small>pointing ${angle(tipElevation)}</small></dd>
+        <dt>${say("Tip")}</dt>
+        <dd>${placed(place(tip[0]), place(Math.abs(tip[1])), tip[1] < 0)} <small>${say("pointing {0}", angle(tipElevation))}</small></dd>
       </div>
       <div>
-        <dt><abbr title="weight times length squared over bending stiffness, at the base">Gravity number</abbr> <i class="symbol">q</i></dt>
+        <dt><abbr title=${say("weight times length squared over bending stiffness, at the base")}>${say("Gravity number")}</abbr> <i class="symbol">q</i></dt>
         <dd>${quantityText(report.gravityNumber, "")} <small>${gravitySentence(report.gravityNumber)}</small></dd>
       </div>
-      ${strength === "" ? nothing : html`<div class=${isBroken(report) ? "unsound" : ""}><dt>Strength</dt><dd>${strength}</dd></div>`}
+      ${strength === "" ? nothing : html`<div class=${isBroken(report) ? "unsound" : ""}><dt>${say("Strength")}</dt><dd>${strength}</dd></div>`}
       <div class=${sound ? "" : "unsound"}>
-        <dt>Solution</dt>
-        <dd>${!pull || report.stable !== false ? solverSentence(report) : "In equilibrium while it is held; the same force as a load would make it snap through."}</dd>
+        <dt>${say("Solution")}</dt>
+        <dd>${!pull || report.stable !== false ? solverSentence(report) : say("In equilibrium while it is held; the same force as a load would make it snap through.")}</dd>
       </div>
     </dl>
   </section>`;

@@ -40,15 +40,16 @@ export class Replay {
     this.#playback.speed = speed;
   }
 
-  /** Plays from the present age on, or from the first if it is the last. */
-  play(): void {
+  /** Plays from the present age on, or from the first if it is the last, or if all of it is wanted; then tells so. */
+  play(whole = false, onPlayed?: () => void): void {
     const last = this.#grown()?.report.steps;
     if (last === undefined) return;
     const { step } = this.#store.state;
-    const from = step === null || step >= last ? 1 : step;
+    const from = whole || step === null || step >= last ? 1 : step;
     const onEnd = () => {
       this.#store.set({ step: null }, "settled");
       this.#onStep();
+      onPlayed?.();
     };
     this.#playback.start(from, last, this.#onStep, onEnd);
   }

@@ -1,4 +1,5 @@
 /** Keys that work everywhere on the page, except where they mean something already. */
+import { say } from "../language/say.ts";
 import type { Actions } from "./model.ts";
 
 /** A key, and what it does. */
@@ -9,33 +10,44 @@ export interface Shortcut {
   readonly sign: string;
   /** With Ctrl, or Cmd on a Mac. */
   readonly command?: boolean;
-  readonly name: string;
+  name(): string;
   act(actions: Actions): void;
 }
 
 /** All of them, in the order of the list. */
 export const shortcuts: readonly Shortcut[] = [
-  { key: " ", sign: "Space", name: "Watch it grow, or pause", act: (actions) => actions.togglePlay() },
-  { key: ",", sign: ",", name: "One step younger", act: (actions) => actions.age(-1) },
-  { key: ".", sign: ".", name: "One step older", act: (actions) => actions.age(1) },
+  {
+    key: " ",
+    sign: "Spacebar",
+    name: () => say("Watch it grow, or pause"),
+    act: (actions) => actions.togglePlay(),
+  },
+  { key: ",", sign: ",", name: () => say("One step younger"), act: (actions) => actions.age(-1) },
+  { key: ".", sign: ".", name: () => say("One step older"), act: (actions) => actions.age(1) },
   {
     key: "l",
     sign: "L",
-    name: "Take the loads off, or put them on",
+    name: () => say("Take the loads off, or put them on"),
     act: (actions) => actions.toggleLoads(),
   },
-  { key: "h", sign: "H", name: "Take hold of the tip, or let go", act: (actions) => actions.toggleHold() },
-  { key: "c", sign: "C", name: "Next colour", act: (actions) => actions.next("color") },
-  { key: "m", sign: "M", name: "Limbs, or the model", act: (actions) => actions.next("style") },
-  { key: "v", sign: "V", name: "Plane, or space", act: (actions) => actions.next("view") },
-  { key: "t", sign: "T", name: "Theme", act: (actions) => actions.next("theme") },
-  { key: "+", sign: "+", name: "Zoom in", act: (actions) => actions.zoom(1.25) },
-  { key: "-", sign: "−", name: "Zoom out", act: (actions) => actions.zoom(0.8) },
-  { key: "0", sign: "0", name: "Show the whole plant", act: (actions) => actions.fit() },
-  { key: "g", sign: "G", name: "All plates", act: (actions) => actions.showGallery() },
-  { key: "?", sign: "?", name: "This list", act: (actions) => actions.showKeys() },
-  { key: "z", sign: "Ctrl Z", command: true, name: "Undo", act: (actions) => actions.undo() },
-  { key: "y", sign: "Ctrl Y", command: true, name: "Redo", act: (actions) => actions.redo() },
+  {
+    key: "h",
+    sign: "H",
+    name: () => say("Take hold of the tip, or let go"),
+    act: (actions) => actions.toggleHold(),
+  },
+  { key: "c", sign: "C", name: () => say("Next colour"), act: (actions) => actions.next("color") },
+  { key: "m", sign: "M", name: () => say("Limbs, or the model"), act: (actions) => actions.next("style") },
+  { key: "v", sign: "V", name: () => say("Plane, or space"), act: (actions) => actions.next("view") },
+  { key: "t", sign: "T", name: () => say("Theme"), act: (actions) => actions.next("theme") },
+  { key: "+", sign: "+", name: () => say("Zoom in"), act: (actions) => actions.zoom(1.25) },
+  { key: "-", sign: "−", name: () => say("Zoom out"), act: (actions) => actions.zoom(0.8) },
+  { key: "0", sign: "0", name: () => say("Show the whole plant"), act: (actions) => actions.fit() },
+  { key: "s", sign: "S", name: () => say("Take it away"), act: (actions) => actions.showTakeAway() },
+  { key: "g", sign: "G", name: () => say("All plates"), act: (actions) => actions.showGallery() },
+  { key: "?", sign: "?", name: () => say("This list"), act: (actions) => actions.showKeys() },
+  { key: "z", sign: "Ctrl Z", command: true, name: () => say("Undo"), act: (actions) => actions.undo() },
+  { key: "y", sign: "Ctrl Y", command: true, name: () => say("Redo"), act: (actions) => actions.redo() },
 ];
 
 /** Where it is kept that single keys are unwanted: by people who speak to their computer, say. */

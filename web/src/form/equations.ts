@@ -4,10 +4,11 @@
  */
 
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import type { Text } from "../language/english.ts";
 
 /** An equation, and what it says. */
 export interface Equation {
-  readonly caption: string;
+  readonly caption: Text;
   readonly mathml: string;
 }
 

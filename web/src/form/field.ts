@@ -1,14 +1,17 @@
 /** The control of one parameter: native elements, with symbol, unit, help, reset, and what is wrong with the last entry. */
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import { local } from "../language/number.ts";
+import { language, say } from "../language/say.ts";
 import type { Parameter, Value, Vector } from "../params/declaration.ts";
 import type { Issue } from "../params/issue.ts";
 import { sameValue } from "../params/params.ts";
 import type { Entry } from "./entry.ts";
+import { issueText } from "./issue.ts";
 import { quantityText, read, unitText } from "./quantity.ts";
 import { slide } from "./slide.ts";
 import { travelOf } from "./travel.ts";
-import { nameOf } from "./words.ts";
+import { helpOf, labelOf, nameOf, sourceOf } from "./words.ts";
 
 /** `<bough-field>`: dispatches `bough-enter`. It renders into the page itself, so that the page's styles and labels reach it. */
 export class BoughField extends LitElement {
@@ -17,6 +20,7 @@ export class BoughField extends LitElement {
     value: { attribute: false },
     baseline: { attribute: false },
     issue: { attribute: false },
+    language: { attribute: false },
     draft: { state: true },
     entered: { state: true },
     explained: { state: true },
@@ -31,6 +35,8 @@ export class BoughField extends LitElement {
   declare baseline: Value;
   /** What is wrong with the last entry, which then stays in the box. */
   declare issue: Issue | undefined;
+  /** The language that is spoken: another one says the same anew. */
+  declare language: string;
   /** Text in the boxes that is not (yet) a value in force, by the number of the box. */
   declare draft: Readonly<Record<number, string>>;
   /** What was entered and not yet judged: it is shown until it is the value in force, or has an issue. */
@@ -69,7 +75,8 @@ export class BoughField extends LitElement {
   protected override render(): TemplateResult {
     const { parameter, issue } = this;
     const value = this.#present;
-    const { label, symbol, help, source } = parameter;
+    const { symbol } = parameter;
+    const label = labelOf(parameter);
     const id = this.#id;
     const name = html`<span class="label">${label}</span>${symbol ? html` <i class="symbol">${symbolText(symbol)}</i>` : nothing}`;
     const isGroup = ["vector", "choice", "optional"].includes(parameter.kind);
@@ -88,23 +95,23 @@ export class BoughField extends LitElement {
         ${
           sameValue(value, this.baseline) && !issue
             ? nothing
-            : html`<button type="button" class="reset" @click=${this.#reset} title="Reset ${label}" aria-label="Reset ${label}">${resetIcon}</button>`
+            : html`<button type="button" class="reset" @click=${this.#reset} title=${say("Reset {0}", label)} aria-label=${say("Reset {0}", label)}>${resetIcon}</button>`
         }
         <button
           type="button"
           class="explain"
           aria-expanded=${this.explained}
           aria-controls="${id}-help"
-          aria-label="About ${label}"
+          aria-label=${say("About {0}", label)}
           @click=${() => this.#explain()}
         >?</button>
       </div>
       <div class="entry">${this.#control(value)}</div>
-      ${issue ? html`<p class="issue" id="${id}-issue" role="alert">${worded(issue, parameter)}</p>` : nothing}
+      ${issue ? html`<p class="issue" id="${id}-issue" role="alert">${issueText(issue)}</p>` : nothing}
       <div class="help" id="${id}-help" ?hidden=${!this.explained}>
-        <p>${help}</p>
+        <p>${helpOf(parameter)}</p>
         ${this.#equation()}
-        <p><small>${source.charAt(0).toUpperCase()}${source.slice(1)}.</small></p>
+        <p><small>${sourceOf(parameter)}</small></p>
       </div>
     </div>`;
   }
@@ -112,7 +119,7 @@ export class BoughField extends LitElement {
   #equation(): TemplateResult | typeof nothing {
     if (!this.equation) return nothing;
     const { caption, picture } = this.equation;
-    return html`<figure><figcaption>${caption}</figcaption><div>${picture}</div></figure>`;
+    return html`<figure><figcaption>${say(caption)}</figcaption><div>${picture}</div></figure>`;
   }
 
   #explain(): void {
@@ -131,7 +138,7 @@ export class BoughField extends LitElement {
   #reading(value: number): string {
     const { unit } = this.parameter;
     const text = quantityText(value, unit);
-    const boxed = `${plain(value)}${unit === "deg" ? "" : " "}${unitText(unit)}`;
+    const boxed = `${local(plain(value))}${unit === "deg" ? "" : " "}${unitText(unit)}`;
     return text === boxed.trim() ? "" : text;
   }
 
@@ -142,15 +149,15 @@ export class BoughField extends LitElement {
     if (typeof value === "string") return this.#choices(value);
     if (value === null) return html``;
     const axes = ["x", "y", "z"];
-    return html`${value.map((number, k) => html`<label class="part">${axes[k]} ${this.#box(k, number, `${this.parameter.label}, ${axes[k]}`)}</label>`)}`;
+    return html`${value.map((number, k) => html`<label class="part">${axes[k]} ${this.#box(k, number, `${labelOf(this.parameter)}, ${axes[k]}`)}</label>`)}`;
   }
 
   /** A number that may be left open: a box to tick, and once it is ticked the number. */
   #optional(value: Value): TemplateResult {
-    const { label } = this.parameter;
+    const label = labelOf(this.parameter);
     return html`<input
         type="checkbox"
-        aria-label="${label}, given"
+        aria-label=${say("{0}, given", label)}
         .checked=${live(value !== null)}
         @change=${(event: Event) => this.#enter((event.target as HTMLInputElement).checked ? 0 : null, "settled")}
       />${typeof value === "number" ? html`${this.#slider(value)}${this.#box(0, value, label)}` : nothing}`;
@@ -158,7 +165,7 @@ export class BoughField extends LitElement {
 
   #slider(value: number): TemplateResult {
     const travel = travelOf(this.parameter);
-    const { label, unit } = this.parameter;
+    const { unit } = this.parameter;
     const onSlide = slide((position, how) => {
       this.draft = {};
       this.#enter(travel.value(position), how);
@@ -169,7 +176,7 @@ export class BoughField extends LitElement {
       max=${travel.max}
       step=${travel.step}
       .value=${live(String(travel.position(value)))}
-      aria-label="${label}, slider"
+      aria-label=${say("{0}, slider", labelOf(this.parameter))}
       aria-valuetext=${quantityText(value, unit)}
       @input=${onSlide}
       @change=${onSlide}
@@ -193,7 +200,7 @@ export class BoughField extends LitElement {
         aria-label=${name || nothing}
         aria-invalid=${issue ? "true" : nothing}
         aria-describedby=${issue ? `${id}-issue` : nothing}
-        .value=${live(this.draft[index] ?? plain(value))}
+        .value=${live(this.draft[index] ?? local(plain(value)))}
         @input=${(event: Event) => {
           this.draft = { ...this.draft, [index]: (event.target as HTMLInputElement).value };
         }}
@@ -292,6 +299,7 @@ export function field(parameter: Parameter, value: Value, baseline: Value, issue
     .value=${value}
     .baseline=${baseline}
     .issue=${issue}
+    .language=${language()}
   ></bough-field>`;
 }
 
@@ -308,9 +316,4 @@ function plain(value: number): string {
 function symbolText(symbol: string): TemplateResult | string {
   const [main = "", index] = symbol.split("_", 2);
   return index === undefined ? main : html`${main}<sub>${index}</sub>`;
-}
-
-/** The sentence of the core names the parameter by its path; beside the control its label is clearer. */
-function worded({ message }: Issue, { path, label }: Parameter): string {
-  return message.replaceAll(path, label);
 }

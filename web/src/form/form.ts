@@ -1,6 +1,7 @@
 /** The form of all parameters, made from their declaration: a few at first sight, the others in groups. */
 import { html, type TemplateResult } from "lit";
 import { ref } from "lit/directives/ref.js";
+import { say } from "../language/say.ts";
 import { groupAndField, type Parameter, parameters } from "../params/declaration.ts";
 import type { Issue } from "../params/issue.ts";
 import { type Params, sameValue, valueAt } from "../params/params.ts";
@@ -47,7 +48,7 @@ export function groupForms(model: FormModel): TemplateResult {
       if (wrong && element instanceof HTMLDetailsElement) element.open = true;
     };
     return html`<details class="group" ${ref(open)}>
-      <summary>${nameOf(group)}${changed > 0 ? html` <span class="changed">${changed} changed</span>` : ""}</summary>
+      <summary>${nameOf(group)}${changed > 0 ? html` <span class="changed">${say("{0} changed", changed)}</span>` : ""}</summary>
       <div class="fields">${members.map((parameter) => control(parameter, model))}</div>
     </details>`;
   })}`;

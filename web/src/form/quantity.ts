@@ -1,5 +1,7 @@
 /** Numbers with units, as a person writes and reads them. */
 
+import { local } from "../language/number.ts";
+
 /** How units are written. */
 const written: Readonly<Record<string, string>> = {
   deg: "°",
@@ -42,8 +44,8 @@ export function numberText(value: number, digits = 3): string {
   const rounded = Number(value.toPrecision(digits));
   const size = Math.abs(rounded);
   if (rounded === 0) return "0";
-  if (size >= 1e-4 && size < 1e6) return String(rounded);
-  return rounded.toExponential().replace("e+", "e").replace("-", "−");
+  if (size >= 1e-4 && size < 1e6) return local(String(rounded));
+  return local(rounded.toExponential().replace("e+", "e").replace("-", "−"));
 }
 
 /** A quantity for reading: "1.1 GPa", "37.5 mm", "50°". */

@@ -1,5 +1,8 @@
-/** Names for people, of options and groups, where the declaration has only identifiers. */
+/** What the declaration says to people, in the language that is spoken. */
+import { dictionary } from "../language/say.ts";
+import { type Parameter, presets } from "../params/declaration.ts";
 
+/** Names of groups, where the declaration has only identifiers. */
 const names: Readonly<Record<string, string>> = {
   axis: "Axis",
   material: "Wood",
@@ -11,8 +14,32 @@ const names: Readonly<Record<string, string>> = {
   solver: "Computation",
 };
 
-/** The name of an identifier: its own if it has one, else its words ("secondOrder" is "Second order"). */
+/** The name of a group or an option: its own if it has one, else its words ("secondOrder" is "Second order"). */
 export function nameOf(identifier: string): string {
   const words = identifier.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
-  return names[identifier] ?? `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
+  const known = dictionary()?.names ?? names;
+  return known[identifier] ?? `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
+}
+
+/** The label of a parameter. */
+export function labelOf({ path, label }: Pick<Parameter, "path" | "label">): string {
+  return dictionary()?.parameters[path]?.[0] ?? label;
+}
+
+/** What a parameter does, in a sentence. */
+export function helpOf({ path, help }: Pick<Parameter, "path" | "help">): string {
+  return dictionary()?.parameters[path]?.[1] ?? help;
+}
+
+/** Where a parameter comes from, as a sentence: "Section 3.4, figure 8." */
+export function sourceOf({ source }: Pick<Parameter, "source">): string {
+  const words = dictionary()?.sources ?? {};
+  const text = words[source] ?? source.replace(/[a-z]+/g, (word) => words[word] ?? word);
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+}
+
+/** Title and note of a preset. */
+export function presetWords(id: string): readonly [title: string, note: string] {
+  const preset = presets[id];
+  return dictionary()?.presets[id] ?? [preset?.title ?? id, preset?.note ?? ""];
 }

@@ -1,4 +1,6 @@
 /** The key to a picture whose colours mean something. */
+import type { Text } from "../language/english.ts";
+import { say } from "../language/say.ts";
 import { digits, type Scale, scaleFor } from "./quantity.ts";
 import { type Color, isSigned, type Measured, type Paint, type Range, rangeOf } from "./shade.ts";
 import type { Axes } from "./tube.ts";
@@ -17,7 +19,7 @@ export interface Legend {
   readonly ticks: readonly { readonly offset: number; readonly text: string }[];
 }
 
-const titles: Readonly<Record<Measured, { title: string; unit: string }>> = {
+const titles: Readonly<Record<Measured, { title: Text; unit: string }>> = {
   moment: { title: "Bending moment", unit: "N m" },
   stress: { title: "Largest stress", unit: "Pa" },
   curvature: { title: "Curvature", unit: "1/m" },
@@ -46,8 +48,8 @@ export function legend(plant: Axes, color: Color, grown: Axes = plant): Legend |
   const { title, unit } = titles[paint.color];
   const scale = scaleFor(range.max, unit);
   return {
-    title,
-    unit: scale.unit,
+    title: say(title),
+    unit: scale.unit === "steps" ? say("steps") : scale.unit,
     ...range,
     stops: colors.map((css, i) => ({ offset: i / (colors.length - 1), css })),
     ticks: roundValues(range, scale).map((value) => ({

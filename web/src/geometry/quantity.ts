@@ -1,4 +1,5 @@
 /** Numbers with units, for people: sensible digits and SI prefixes. */
+import { local } from "../language/number.ts";
 
 const prefixes = [
   ["G", 1e9],
@@ -30,9 +31,10 @@ export function scaleFor(value: number, unit: string): Scale {
 /** A number in two digits, without powers of ten, and with a real minus: "0.32", "−33", "1200". */
 export function digits(value: number): string {
   const short = Number(value.toPrecision(2));
-  if (short === 0 || Math.abs(short) >= 1) return String(Math.abs(short) === 0 ? 0 : short).replace("-", "−");
+  if (short === 0 || Math.abs(short) >= 1)
+    return local(String(Math.abs(short) === 0 ? 0 : short).replace("-", "−"));
   const places = Math.min(20, 1 - Math.floor(Math.log10(Math.abs(short))));
-  return short.toFixed(places).replace(/0$/, "").replace("-", "−");
+  return local(short.toFixed(places).replace(/0$/, "").replace("-", "−"));
 }
 
 /** A quantity in two digits: "12 mN". */

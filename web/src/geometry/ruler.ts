@@ -1,4 +1,5 @@
 /** Round lengths for scale bars. */
+import { local } from "../language/number.ts";
 
 /** A length that a scale bar can show. */
 export interface Ruler {
@@ -29,5 +30,5 @@ export function rulerWithin(most: number): Ruler {
 /** A length in the largest unit that leaves a whole number; below 1 µm a decimal fraction of it. */
 function inUnits(length: number): string {
   const { unit, size } = units.find(({ size }) => length >= size * (1 - 1e-9)) ?? units[4];
-  return `${Number((length / size).toPrecision(3))} ${unit}`;
+  return `${local(String(Number((length / size).toPrecision(3))))} ${unit}`;
 }

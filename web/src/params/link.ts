@@ -5,7 +5,7 @@
  */
 import { type Parameter, parameters, presetNamed } from "./declaration.ts";
 import { type Params, sameValue, stepsOf, valueAt, withValue } from "./params.ts";
-import { colors, initialState, presetState, type State, styles, themes, views } from "./state.ts";
+import { colors, initialState, languages, presetState, type State, styles, themes, views } from "./state.ts";
 import { numberIn, parsed, written } from "./text.ts";
 import { shortened, shown, wanted } from "./wording.ts";
 
@@ -40,6 +40,7 @@ export function write(state: State): string {
   if (state.color !== initialState.color) entries.push(["color", state.color]);
   if (state.style !== initialState.style) entries.push(["style", state.style]);
   if (state.theme !== initialState.theme) entries.push(["theme", state.theme]);
+  if (state.lang !== initialState.lang) entries.push(["lang", state.lang]);
   // None of this needs percent-encoding: numbers, commas, and names of our own.
   return `?${entries.map((entry) => entry.join("=")).join("&")}`;
 }
@@ -67,6 +68,7 @@ export function read(query: string): { state: State; notices: Notice[] } {
       color: nameOf("color", given, colors, initialState.color, notices),
       style: nameOf("style", given, styles, initialState.style, notices),
       theme: nameOf("theme", given, themes, initialState.theme, notices),
+      lang: nameOf("lang", given, languages, initialState.lang, notices),
     },
     notices,
   };

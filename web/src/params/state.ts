@@ -11,6 +11,9 @@ export const styles = ["limb", "bare", "model"] as const;
 /** Light or dark, or as the reader's system has it. */
 export const themes = ["auto", "light", "dark"] as const;
 
+/** The language of the page, as a BCP 47 tag, or the reader's own. */
+export const languages = ["auto", "en", "de", "fr", "es", "zh"] as const;
+
 /** The state of the page. Immutable. */
 export interface State {
   /** Id of the preset that the params started from, or null. */
@@ -22,6 +25,7 @@ export interface State {
   readonly color: (typeof colors)[number];
   readonly style: (typeof styles)[number];
   readonly theme: (typeof themes)[number];
+  readonly lang: (typeof languages)[number];
 }
 
 /** The state of the bare page. */
@@ -33,6 +37,7 @@ export const initialState: State = {
   color: "bark",
   style: "limb",
   theme: "auto",
+  lang: "auto",
 };
 
 /** What choosing a preset changes; null, or a name that does not exist, is the default plant. */
@@ -51,6 +56,7 @@ export function sameState(a: State, b: State): boolean {
     a.color === b.color &&
     a.style === b.style &&
     a.theme === b.theme &&
+    a.lang === b.lang &&
     sameParams(a.params, b.params)
   );
 }

@@ -2,6 +2,8 @@
 import type { Vector } from "../geometry/bounds.ts";
 import type { Frame } from "../geometry/frame.ts";
 import { rulerWithin } from "../geometry/ruler.ts";
+import { local } from "../language/number.ts";
+import { say } from "../language/say.ts";
 import type { View } from "./camera.ts";
 import { type Force, ForceArrow } from "./force.ts";
 import { freest } from "./label.ts";
@@ -113,7 +115,7 @@ export class Annotation {
       { x: 0, y: ground.y },
       { x: subject.width, y: ground.y },
     ];
-    const text = `${Number(elevation.toFixed(1))}°`.replace("-", "−");
+    const text = `${local(String(Number(elevation.toFixed(1))))}°`.replace("-", "−");
     const room = { width: 0.55 * this.#letter * text.length, height: 0.8 * this.#letter };
     const obstacles = [
       ...present.map((places) => ({ places, thickness: foot * scale })),
@@ -141,8 +143,8 @@ export class Annotation {
     const tick = 5;
     put(this.#bar, { d: `M${left} ${bottom - tick}V${bottom}H${right.toFixed(1)}V${bottom - tick}` });
     const legend = [text];
-    if (girth > 1) legend.push(`girth ×${girth}`);
-    if (future.length > 0 && width > wide) legend.push("dotted: full grown");
+    if (girth > 1) legend.push(say("girth ×{0}", girth));
+    if (future.length > 0 && width > wide) legend.push(say("dotted: full grown"));
     write(this.#length, { x: left, y: bottom - 10 }, legend.join(" · "), "start");
   }
 

@@ -74,6 +74,11 @@ export class Press extends EventTarget {
     if (bed.width < width || bed.height < height) {
       this.#renderer.setSize(Math.max(bed.width, width), Math.max(bed.height, height), false);
     }
+    const { drawingBufferWidth, drawingBufferHeight } = this.#renderer.getContext();
+    // Browsers make it smaller than was asked for, and say nothing.
+    if (drawingBufferWidth < width || drawingBufferHeight < height) {
+      throw new RangeError("The graphics card has no room for a picture of that size.");
+    }
     this.#renderer.setViewport(0, 0, width, height);
     this.#renderer.setScissor(0, 0, width, height);
     this.#renderer.setScissorTest(true);

@@ -8,6 +8,7 @@ import { type Lumping, mostModelled } from "../geometry/model.ts";
 import { headingOf, type Pick, pick } from "../geometry/pick.ts";
 import type { Color, Paint } from "../geometry/shade.ts";
 import type { Axes } from "../geometry/tube.ts";
+import { say } from "../language/say.ts";
 import { isBroken, type Plant } from "../plant/plant.ts";
 import { Annotation, type Place } from "./annotation.ts";
 import type { Bearing } from "./burden.ts";
@@ -169,7 +170,7 @@ export class Stage {
     this.#shown = { plant, grown, paint: paintOf(plant, color, grown), model, bearing, tone };
     this.#invalidate();
     return isTooMuch
-      ? `Above ${mostModelled} segments the model cannot be made out: these are the limbs.`
+      ? say("Above {0} segments the model cannot be made out: these are the limbs.", mostModelled)
       : null;
   }
 
@@ -240,6 +241,35 @@ export class Stage {
     const heading = this.#camera.view === "plane" ? ([1, 0, 0] as const) : own;
     const picture = toPicture(this.#clip(), this.#width, this.#height);
     return unproject(picture, this.#onPicture(clientX, clientY), through, heading);
+  }
+
+  /** What is written over the picture, in CSS px. */
+  get annotation(): SVGSVGElement {
+    return this.#annotation.element;
+  }
+
+  /**
+   * The present picture once more on a canvas of its own, with `scale` pixels a CSS px; null before the first. It has a press of
+   * its own, so that the size of this one is not kept. Throws a `RangeError` where the graphics card has no room for it.
+   */
+  reprint(scale: number): HTMLCanvasElement | null {
+    const placed = this.#framing.at(performance.now());
+    if (!placed || !this.#sheet) return null;
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.round(this.#width * scale);
+    canvas.height = Math.round(this.#height * scale);
+    const pen = canvas.getContext("2d");
+    if (!pen) throw new RangeError("This browser has no canvas of that size.");
+    const press = new Press();
+    press.join();
+    try {
+      const { sheet, shown } = this.#sheet;
+      const { foot } = this.#framing;
+      press.print({ sheet, tone: shown.tone, frame: placed.frame, foot, eye: this.#camera.eye }, pen);
+    } finally {
+      press.leave();
+    }
+    return canvas;
   }
 
   /** Draws a force as an arrow with its size in newtons and grams-force, until another one or null is given. */

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Analyst } from "../engine/analyst.ts";
 import { quantityText } from "../form/quantity.ts";
+import { labelOf } from "../form/words.ts";
 import { parameters } from "../params/declaration.ts";
 import { type Params, valueAt } from "../params/params.ts";
 import type { Plant } from "../plant/plant.ts";
@@ -67,7 +68,7 @@ export class SensitivityBars {
         const slope = found.slopes[index];
         if (!parameter) return;
         const part = parameter.kind === "vector" ? `, ${"xyz"[place.part]}` : "";
-        const label = `${parameter.label}${part}`;
+        const label = `${labelOf(parameter)}${part}`;
         if (!slope) {
           without.push(label);
           return;

@@ -1,7 +1,7 @@
 /** A plant that is pinned, A, beside the present one: over the picture, in numbers, and as a plot. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import { quantityText } from "../form/quantity.ts";
-import { nameOf } from "../form/words.ts";
+import { labelOf, nameOf } from "../form/words.ts";
 import { measure } from "../geometry/measure.ts";
 import { digits, quantity, scaleFor } from "../geometry/quantity.ts";
 import type { Value, Vector } from "../params/declaration.ts";
@@ -29,7 +29,9 @@ const places = 100;
 
 export class Comparison implements Section {
   readonly name = "compare";
-  readonly title = words.compare.title;
+  get title(): string {
+    return words.compare.title;
+  }
   open = false;
   readonly #desk: Desk;
   readonly #onChange: () => void;
@@ -193,10 +195,13 @@ function changes(a: Pinned["state"], now: State): TemplateResult {
     if (Array.isArray(value)) return value.map((part) => digits(part)).join(", ");
     return typeof value === "string" ? nameOf(value) : String(value ?? "none");
   };
-  const lines = parameters.flatMap(({ path, label, unit }) => {
+  const lines = parameters.flatMap((parameter) => {
+    const { path, unit } = parameter;
     const [before, after] = [valueAt(a.params, path), valueAt(now.params, path)];
     if (sameValue(before, after)) return [];
-    return [html`<li>${words.compare.changes(label, text(before, unit), text(after, unit))}</li>`];
+    return [
+      html`<li>${words.compare.changes(labelOf(parameter), text(before, unit), text(after, unit))}</li>`,
+    ];
   });
   return lines.length > 0
     ? html`<ul class="changes">${lines}</ul>`

@@ -4,6 +4,7 @@ import { live } from "lit/directives/live.js";
 import type { Analyst } from "../engine/analyst.ts";
 import { type Fit, fitLine } from "../fit/fit.ts";
 import { quantityText } from "../form/quantity.ts";
+import { labelOf } from "../form/words.ts";
 import { parameterAt } from "../params/declaration.ts";
 import type { Plant } from "../plant/plant.ts";
 import { placesOf } from "./bars.ts";
@@ -14,7 +15,9 @@ import { words } from "./words.ts";
 
 export class Measuring implements Section {
   readonly name = "measure";
-  readonly title = words.measure.title;
+  get title(): string {
+    return words.measure.title;
+  }
   open = false;
   readonly #desk: Desk;
   readonly #analyst: Analyst;
@@ -76,7 +79,7 @@ export class Measuring implements Section {
     return html`<p class="note">${own.fitNote}</p>
       <fieldset class="which">
         <legend>${own.which}</legend>
-        ${paths.map(({ path }) => option(labelOf(path), this.#chosen.has(path), (isOn) => choose(path, isOn)))}
+        ${paths.map(({ path }) => option(nameAt(path), this.#chosen.has(path), (isOn) => choose(path, isOn)))}
       </fieldset>
       ${option(own.lastIsTip, this.#lastIsTip, (isOn) => {
         this.#lastIsTip = isOn;
@@ -127,7 +130,7 @@ export class Measuring implements Section {
     const found = this.#fit;
     if (!found) return nothing;
     const problem = (sentence: string) => html`<p class="issue" role="alert">${sentence}</p>`;
-    const labels = (paths: readonly string[]) => paths.map(labelOf).join(", ");
+    const labels = (paths: readonly string[]) => paths.map(nameAt).join(", ");
     switch (found.kind) {
       case "tooFew":
         return problem(own.tooFew(found.least));
@@ -151,7 +154,7 @@ export class Measuring implements Section {
         <tbody>
           ${found.found.map(
             ({ path, value, low, high }) => html`<tr data-path=${path} data-low=${low} data-high=${high}>
-              <th scope="row">${labelOf(path)}</th>
+              <th scope="row">${nameAt(path)}</th>
               <td>${text(path, value)}</td>
               <td>${own.between(text(path, low), text(path, high))}</td>
             </tr>`,
@@ -170,6 +173,7 @@ export class Measuring implements Section {
   }
 }
 
-function labelOf(path: string): string {
-  return parameterAt(path)?.label ?? path;
+function nameAt(path: string): string {
+  const parameter = parameterAt(path);
+  return parameter ? labelOf(parameter) : path;
 }

@@ -5,6 +5,7 @@
 import { html, render, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { Analyst } from "../engine/analyst.ts";
+import { language } from "../language/say.ts";
 import { Comparison } from "./comparison.ts";
 import type { Desk, Section, Sight } from "./desk.ts";
 import { Measuring } from "./measuring.ts";
@@ -19,6 +20,8 @@ export class Study {
   readonly #overlay: Overlay | null;
   #sight: Sight | null = null;
   #renders = false;
+  /** In which all is said. */
+  #language = language();
 
   /** Lives in an element of the page that is its own. */
   constructor(host: HTMLElement, desk: Desk) {
@@ -37,8 +40,10 @@ export class Study {
 
   /** There is something new to look at. */
   show(sight: Sight): void {
-    if (this.#sight?.shape === sight.shape && this.#sight.rests === sight.rests) return;
+    const isSame = this.#sight?.shape === sight.shape && this.#sight.rests === sight.rests;
+    if (isSame && this.#language === language()) return;
     this.#sight = sight;
+    this.#language = language();
     for (const section of this.#sections) section.see(sight);
     this.#refresh();
   }

@@ -19,7 +19,9 @@ const mostRows = 41;
 
 export class Why implements Section {
   readonly name = "why";
-  readonly title = words.why.title;
+  get title(): string {
+    return words.why.title;
+  }
   open = false;
   readonly #desk: Desk;
   readonly #pinned: () => Plant | null;
