@@ -1,6 +1,7 @@
 /** The control of one parameter: native elements, with symbol, unit, help, reset, and what is wrong with the last entry. */
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import type { Text } from "../language/english.ts";
 import { local } from "../language/number.ts";
 import { language, say } from "../language/say.ts";
 import type { Parameter, Value, Vector } from "../params/declaration.ts";
@@ -43,7 +44,7 @@ export class BoughField extends LitElement {
   declare entered: Value | undefined;
   declare explained: boolean;
   /** The equation that the parameter enters, once help was wanted and if there is one. */
-  declare equation: { readonly caption: string; readonly picture: unknown } | undefined;
+  declare equation: { readonly caption: Text; readonly picture: unknown } | undefined;
 
   constructor() {
     super();

@@ -18,6 +18,8 @@ export const chinese: Dictionary = {
       "处于稳定平衡（剩余力矩为最大力矩的 {0}）。",
     "Not in equilibrium: the solver ran out of iterations ({0} of the largest torque is left over).":
       "未达平衡：求解器的迭代次数已用完（剩余力矩为最大力矩的 {0}）。",
+    "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
+      "它在第 {0} 步时仍站立；增大半径或杨氏模量，或减小重力，可使其站立更久。",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "未达平衡：数值超出了一切界限。请试用更温和的数值。",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -329,6 +331,10 @@ export const chinese: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "从生长步 {0} 起它就不可能这样站立：那时它不稳定，真实的植株会倒向一侧。",
     "Not in equilibrium, so nothing can be said.": "未达平衡，因此无从判断。",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
+      "其荷载为使它不能再直立之荷载的 {0}：它已向其方位角一侧倾倒。",
+    "Its loads are {0} of those at which it could no longer stand straight.":
+      "其荷载为使它不能再直立之荷载的 {0}。",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":
       "等粗的直立轴在重力数达到 {1} 时会因自重屈曲（Greenhill 1881）。此轴为 {0}：{2}。",
     "{0} of that": "其 {0}",

@@ -18,6 +18,8 @@ export const french: Dictionary = {
       "En équilibre stable (il reste {0} du plus grand couple).",
     "Not in equilibrium: the solver ran out of iterations ({0} of the largest torque is left over).":
       "Hors d’équilibre : le solveur a épuisé ses itérations (il reste {0} du plus grand couple).",
+    "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
+      "Elle tenait encore à l’étape {0} ; un rayon ou un module de Young plus grand, ou moins de gravité, la fait tenir plus longtemps.",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "Hors d’équilibre : les nombres ont dépassé toute borne. Essayez des valeurs plus douces.",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -344,6 +346,10 @@ export const french: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "Elle n’aurait pas pu se tenir ainsi à partir de l’étape {0} : elle y était instable, et une vraie plante aurait basculé d’un côté ou de l’autre.",
     "Not in equilibrium, so nothing can be said.": "Hors d’équilibre : on ne peut rien en dire.",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
+      "Ses charges valent {0} de celles sous lesquelles elle ne peut plus se tenir droite : elle s’est penchée du côté de son azimut.",
+    "Its loads are {0} of those at which it could no longer stand straight.":
+      "Ses charges valent {0} de celles sous lesquelles elle ne pourrait plus se tenir droite.",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":
       "Un axe dressé de grosseur égale flambe sous son poids à un nombre de gravité de {1} (Greenhill 1881). Celui-ci a {0} : {2}.",
     "{0} of that": "{0} de cela",

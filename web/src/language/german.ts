@@ -19,6 +19,8 @@ export const german: Dictionary = {
       "Im stabilen Gleichgewicht ({0} des größten Drehmoments bleiben übrig).",
     "Not in equilibrium: the solver ran out of iterations ({0} of the largest torque is left over).":
       "Nicht im Gleichgewicht: Dem Löser gingen die Iterationen aus ({0} des größten Drehmoments bleiben übrig).",
+    "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
+      "Zuletzt stand sie bei Schritt {0}; mit größerem Radius oder Elastizitätsmodul oder weniger Schwerkraft steht sie länger.",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "Nicht im Gleichgewicht: Die Zahlen wuchsen über alle Grenzen. Versuchen Sie mildere Werte.",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -348,6 +350,10 @@ export const german: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "So hätte sie ab Wachstumsschritt {0} nicht stehen können: Dort war sie labil, und eine wirkliche Pflanze wäre nach der einen oder anderen Seite gekippt.",
     "Not in equilibrium, so nothing can be said.": "Nicht im Gleichgewicht, also lässt sich nichts sagen.",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
+      "Ihre Lasten betragen {0} derer, bei denen sie nicht mehr gerade stehen kann: Sie hat sich zur Seite ihres Azimuts geneigt.",
+    "Its loads are {0} of those at which it could no longer stand straight.":
+      "Ihre Lasten betragen {0} derer, bei denen sie nicht mehr gerade stehen könnte.",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":
       "Eine aufrechte, gleichmäßig dicke Achse knickt unter ihrem Gewicht bei einer Schwerezahl von {1} (Greenhill 1881). Diese hat {0}: {2}.",
     "{0} of that": "{0} davon",

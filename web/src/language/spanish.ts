@@ -17,6 +17,8 @@ export const spanish: Dictionary = {
       "En equilibrio estable (queda {0} del mayor par).",
     "Not in equilibrium: the solver ran out of iterations ({0} of the largest torque is left over).":
       "Sin equilibrio: al método se le acabaron las iteraciones (queda {0} del mayor par).",
+    "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
+      "Aún se sostenía en el paso {0}; con mayor radio o módulo de Young, o con menos gravedad, se sostiene más tiempo.",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "Sin equilibrio: los números crecieron sin límite. Pruebe valores más suaves.",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -345,6 +347,10 @@ export const spanish: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "Así no habría podido estar desde el paso de crecimiento {0}: allí era inestable, y una planta real habría caído hacia un lado u otro.",
     "Not in equilibrium, so nothing can be said.": "Sin equilibrio, así que nada se puede decir.",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
+      "Sus cargas son el {0} de aquellas con las que ya no puede estar derecha: se ha inclinado hacia el lado de su azimut.",
+    "Its loads are {0} of those at which it could no longer stand straight.":
+      "Sus cargas son el {0} de aquellas con las que ya no podría estar derecha.",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":
       "Un eje erguido de grosor uniforme pandea bajo su peso a un número de gravedad de {1} (Greenhill 1881). Este tiene {0}: {2}.",
     "{0} of that": "{0} de eso",
