@@ -30,7 +30,7 @@ export async function buildPackage() {
 }
 
 /** The parts of the views that no other entry imports; the core's stay where they are, so that there is but one core. */
-const ownParts = ["element", "form", "geometry", "scene", "three"];
+const ownParts = ["element", "form", "geometry", "language", "scene", "three"];
 /** Whose folders hold entries. */
 const views = ["element", "three"];
 

@@ -51,6 +51,9 @@ const unused = [
 ];
 const unusedShader = new RegExp(`/(${unused.join("|")})\\.glsl\\.js$`);
 
+/** Methods that nothing here calls: objects as JSON and back, and what a ray meets (ours is asked of the plant, not of its mesh). */
+const unusedMethods = /\n\t(?:toJSON|fromJSON|raycast)\([\s\S]*?\n\t}\n/g;
+
 /** @returns {import("vite").Plugin} */
 export function leanThree() {
   const source = join(folderOfThree(), "src");
@@ -66,7 +69,8 @@ export function leanThree() {
     load(file) {
       const path = relative(source, file);
       if (Object.hasOwn(stubs, path)) return stubs[/** @type {keyof typeof stubs} */ (path)];
-      if (path.startsWith("..") || !path.endsWith(".glsl.js")) return null;
+      if (path.startsWith("..") || !file.endsWith(".js")) return null;
+      if (!file.endsWith(".glsl.js")) return readFileSync(file, "utf8").replace(unusedMethods, "\n");
       const shader = unusedShader.test(file) ? () => "" : shortened;
       return readFileSync(file, "utf8").replace(/`([^`]*)`/g, (_, text) => `\`${shader(text)}\``);
     },

@@ -2,9 +2,10 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, beforeAll, describe, expect, test } from "vitest";
+import { help } from "../../web/generated/help.ts";
+import { sourceOf } from "../../web/src/form/explanation.ts";
 import { issueText } from "../../web/src/form/issue.ts";
 import { quantityText } from "../../web/src/form/quantity.ts";
-import { sourceOf } from "../../web/src/form/words.ts";
 import { chinese } from "../../web/src/language/chinese.ts";
 import { english } from "../../web/src/language/english.ts";
 import { french } from "../../web/src/language/french.ts";
@@ -70,8 +71,8 @@ describe.each(tags)("in %s", (tag) => {
         .replaceAll(",", ".")
         .match(/\d+(\.\d+)?(e\d+)?/g)
         ?.sort() ?? [];
-    for (const { path, help } of declaredParameters) {
-      expect(numbers(parameters[path]?.[1] ?? ""), path).toEqual(numbers(help));
+    for (const { path } of declaredParameters) {
+      expect(numbers(parameters[path]?.[1] ?? ""), path).toEqual(numbers(help[path]?.[0] ?? "none"));
     }
   });
 
@@ -90,8 +91,8 @@ describe.each(tags)("in %s", (tag) => {
     adopt(tag, dictionaries[tag]);
     const english = ["section", "sections", "equation", "equations", "figures", "and"];
     expect(english.filter((word) => !(word in sources))).toEqual([]);
-    for (const parameter of declaredParameters) {
-      expect(sourceOf(parameter)).not.toMatch(
+    for (const { path } of declaredParameters) {
+      expect(sourceOf(path)).not.toMatch(
         tag === "fr" ? /\b(and|half)\b/ : /\b(section|equation|and|half)s?\b/i,
       );
     }

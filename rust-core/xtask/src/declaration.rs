@@ -15,6 +15,17 @@ pub(crate) fn module() -> Result<String> {
     ))
 }
 
+/// The module `help.ts`: what each parameter does and where it comes from, by path. Apart, as pages load it when the first
+/// person asks.
+pub(crate) fn help_module() -> String {
+    let help: Map<String, Value> =
+        PARAMETERS.iter().map(|one| (one.path.into(), json!([one.help, one.source]))).collect();
+    format!(
+        "// Printed by xtask from the declaration of the parameters.\nexport const help: Readonly<Record<string, readonly [help: string, source: string]>> = {};\n",
+        Value::Object(help)
+    )
+}
+
 /// `{version, parameters, flatLength, presets}`.
 fn json() -> Result<Value> {
     let mut offset = 0;
@@ -47,8 +58,6 @@ fn parameter_json(parameter: &Parameter, offset: usize) -> Result<Value> {
             "scale": match parameter.scale { Scale::Linear => "linear", Scale::Log => "log" },
         },
         "label": parameter.label,
-        "help": parameter.help,
-        "source": parameter.source,
         "offset": offset,
         "width": parameter.kind.width(),
     });

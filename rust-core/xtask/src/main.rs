@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! xtask glue <wasm> <folder> <name>    JavaScript and types that load the wasm
-//! xtask declaration <folder>           declaration.ts, params.ts and measures.ts
+//! xtask declaration <folder>           declaration.ts, help.ts, params.ts and measures.ts
 //! xtask reference [--check] <file>     the table of parameters in the docs; --check fails when it is stale
 //! ```
 
@@ -33,6 +33,7 @@ fn main() -> Result<()> {
 
 fn write_declaration(folder: &Path) -> Result<()> {
     write(&folder.join("declaration.ts"), &declaration::module()?)?;
+    write(&folder.join("help.ts"), &declaration::help_module())?;
     write(&folder.join("params.ts"), &typescript::module()?)?;
     write(&folder.join("measures.ts"), &measures::module())
 }

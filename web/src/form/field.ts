@@ -1,7 +1,6 @@
 /** The control of one parameter: native elements, with symbol, unit, help, reset, and what is wrong with the last entry. */
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
-import type { Text } from "../language/english.ts";
 import { local } from "../language/number.ts";
 import { language, say } from "../language/say.ts";
 import type { Parameter, Value, Vector } from "../params/declaration.ts";
@@ -12,7 +11,7 @@ import { issueText } from "./issue.ts";
 import { quantityText, read, unitText } from "./quantity.ts";
 import { slide } from "./slide.ts";
 import { travelOf } from "./travel.ts";
-import { helpOf, labelOf, nameOf, sourceOf } from "./words.ts";
+import { labelOf, nameOf } from "./words.ts";
 
 /** `<bough-field>`: dispatches `bough-enter`. It renders into the page itself, so that the page's styles and labels reach it. */
 export class BoughField extends LitElement {
@@ -25,7 +24,7 @@ export class BoughField extends LitElement {
     draft: { state: true },
     entered: { state: true },
     explained: { state: true },
-    equation: { state: true },
+    explanation: { state: true },
   };
 
   /** What is controlled. */
@@ -43,8 +42,8 @@ export class BoughField extends LitElement {
   /** What was entered and not yet judged: it is shown until it is the value in force, or has an issue. */
   declare entered: Value | undefined;
   declare explained: boolean;
-  /** The equation that the parameter enters, once help was wanted and if there is one. */
-  declare equation: { readonly caption: Text; readonly picture: unknown } | undefined;
+  /** Says what a parameter does, once that was wanted. */
+  declare explanation: ((path: string) => unknown) | undefined;
 
   constructor() {
     super();
@@ -110,25 +109,22 @@ export class BoughField extends LitElement {
       <div class="entry">${this.#control(value)}</div>
       ${issue ? html`<p class="issue" id="${id}-issue" role="alert">${issueText(issue)}</p>` : nothing}
       <div class="help" id="${id}-help" ?hidden=${!this.explained}>
-        <p>${helpOf(parameter)}</p>
-        ${this.#equation()}
-        <p><small>${sourceOf(parameter)}</small></p>
+        ${this.explanation?.(parameter.path)}
       </div>
     </div>`;
   }
 
-  #equation(): TemplateResult | typeof nothing {
-    if (!this.equation) return nothing;
-    const { caption, picture } = this.equation;
-    return html`<figure><figcaption>${say(caption)}</figcaption><div>${picture}</div></figure>`;
-  }
-
   #explain(): void {
     this.explained = !this.explained;
-    void import("./equations.ts").then(({ drawn, equations }) => {
-      const equation = equations[this.parameter.path];
-      this.equation = equation && { caption: equation.caption, picture: drawn(equation) };
-    });
+    import("./explanation.ts").then(
+      ({ explanationOf }) => {
+        this.explanation = explanationOf;
+      },
+      (error: unknown) => {
+        this.explanation = () =>
+          say("A part of the page could not be loaded: reload it. ({0})", String(error));
+      },
+    );
   }
 
   get #id(): string {

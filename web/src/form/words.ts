@@ -26,18 +26,6 @@ export function labelOf({ path, label }: Pick<Parameter, "path" | "label">): str
   return dictionary()?.parameters[path]?.[0] ?? label;
 }
 
-/** What a parameter does, in a sentence. */
-export function helpOf({ path, help }: Pick<Parameter, "path" | "help">): string {
-  return dictionary()?.parameters[path]?.[1] ?? help;
-}
-
-/** Where a parameter comes from, as a sentence: "Section 3.4, figure 8." */
-export function sourceOf({ source }: Pick<Parameter, "source">): string {
-  const words = dictionary()?.sources ?? {};
-  const text = words[source] ?? source.replace(/[a-z]+/g, (word) => words[word] ?? word);
-  return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
-}
-
 /** Title and note of a preset. */
 export function presetWords(id: string): readonly [title: string, note: string] {
   const preset = presets[id];

@@ -38,10 +38,6 @@ export interface Parameter {
   slider: { min: number; max: number; scale: "linear" | "log" };
   /** A word or two for a form. */
   label: string;
-  /** A sentence on what it does. */
-  help: string;
-  /** Equation or section of the paper, or another source. */
-  source: string;
   /** Where its numbers begin in the flat form. */
   offset: number;
   /** How many numbers it takes in the flat form. */

@@ -1,4 +1,5 @@
 /** The declaration as a JSON Schema of the params that users write: everything may be left out. */
+import { help } from "../../generated/help.ts";
 import { declaredParameters, groupAndField } from "./declaration.ts";
 
 type Schema = Record<string, unknown>;
@@ -24,8 +25,9 @@ function paramsSchema(): Schema {
 }
 
 function described(parameter: Declared): Schema {
-  const { label: title, help, unit } = parameter;
-  const description = unit === "" ? help : `${help} Unit: ${unit}.`;
+  const { path, label: title, unit } = parameter;
+  const [text] = help[path] ?? [""];
+  const description = unit === "" ? text : `${text} Unit: ${unit}.`;
   return { ...typeOf(parameter), default: parameter.default, title, description };
 }
 
