@@ -5,10 +5,11 @@ import { createHash } from "node:crypto";
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 import { bundle } from "./bundle.mjs";
 import { leanThree } from "./lean-three.mjs";
 import { orExplain } from "./obstacle.mjs";
-import { root } from "./paths.mjs";
+import { generated, root } from "./paths.mjs";
 import { setUp } from "./setup.mjs";
 
 const source = join(root, "web");
@@ -31,7 +32,7 @@ export async function buildSingle(folder = join(root, "dist", "single")) {
 async function joined() {
   const built = await bundle({
     root: source,
-    plugins: [leanThree(), picturesInside()],
+    plugins: [leanThree(), inside("./thumbnails.ts", pictures), inside("./analysis-place.ts", analysis)],
     build: {
       write: false,
       modulePreload: false,
@@ -79,6 +80,8 @@ function page(script, style) {
     "img-src data: blob:",
     "base-uri 'none'",
     "form-action 'none'",
+    "require-trusted-types-for 'script'",
+    "trusted-types lit-html",
   ].join("; ");
   /** @type {readonly (readonly [what: RegExp, by: string])[]} */
   const changes = [
@@ -103,26 +106,38 @@ function hashOf(text) {
 }
 
 /**
- * Puts the gallery's pictures inside the code, where the source names the files beside the page.
+ * Puts a module that is made here in the place of one that names files beside the page.
+ * @param {string} place as it is imported
+ * @param {() => string} made
  * @returns {import("vite").Plugin}
  */
-function picturesInside() {
-  const name = "\0bough-thumbnails";
-  const folder = join(shared, "presets");
+function inside(place, made) {
+  const name = `\0bough-inside-${place}`;
   return {
-    name: "bough-pictures-inside",
+    name: `bough-inside-${place}`,
     enforce: "pre",
-    resolveId: (id) => (id === "./thumbnails.ts" ? name : null),
-    load: (id) => {
-      if (id !== name) return null;
-      const pictures = readdirSync(folder).map((file) => [
-        file.replace(/\.webp$/, ""),
-        `data:image/webp;base64,${readFileSync(join(folder, file)).toString("base64")}`,
-      ]);
-      const all = JSON.stringify(Object.fromEntries(pictures));
-      return `const all = ${all}; export const thumbnailOf = (id) => all[id ?? "default"] ?? "";`;
-    },
+    resolveId: (id) => (id === place ? name : null),
+    load: (id) => (id === name ? made() : null),
   };
+}
+
+/** The gallery's pictures themselves. */
+function pictures() {
+  const folder = join(shared, "presets");
+  const all = readdirSync(folder).map((file) => [
+    file.replace(/\.webp$/, ""),
+    `data:image/webp;base64,${readFileSync(join(folder, file)).toString("base64")}`,
+  ]);
+  return `const all = ${JSON.stringify(Object.fromEntries(all))};
+    export const thumbnailOf = (id) => all[id ?? "default"] ?? "";`;
+}
+
+/** The wasm that studies a plant, as the core's is in `bough-base64.ts`; it works in the page's own thread. */
+function analysis() {
+  const packed = gzipSync(readFileSync(join(generated, "bough-analysis.wasm")), { level: 9 });
+  return `import { unpacked } from ${JSON.stringify(join(source, "src", "engine", "inline.ts"))};
+    export const analysisSource = () => unpacked("${packed.toString("base64")}");
+    export const openAnalysisWorker = () => null;`;
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href) {

@@ -36,7 +36,9 @@ export function cutTexts(): string[] {
     for (let around: Element | null = element; around; around = around.parentElement) {
       const { overflowX, overflowY } = getComputedStyle(around);
       const own = around.getBoundingClientRect();
-      if (around.matches("ul.plates") && overflowX !== "visible") return false;
+      // Plates scroll sideways; so may a table, where keys reach it too.
+      const mayScroll = around.matches("ul.plates, .scroll[tabindex='0']") && overflowX !== "visible";
+      if (mayScroll) return false;
       const sideways = box.right > own.right + 1 || box.left < own.left - 1;
       if (overflowX !== "visible" && sideways) return true;
       const isClipped = overflowY === "hidden" || overflowY === "clip";

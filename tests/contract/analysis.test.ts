@@ -1,7 +1,8 @@
 /** What is computed about a plant beyond its shape, over the real wasm: against the engine that grows plants. */
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
-import { analysisAddress, loadAnalysis } from "../../web/src/engine/analysis.ts";
+import { loadAnalysis } from "../../web/src/engine/analysis.ts";
+import { analysisAddress } from "../../web/src/engine/analysis-place.ts";
 import { Analyst } from "../../web/src/engine/analyst.ts";
 import { grow, history, init, type ParamsInput } from "../../web/src/package/node.ts";
 import { parameters } from "../../web/src/params/declaration.ts";
@@ -9,7 +10,7 @@ import { complete, withValue } from "../../web/src/params/params.ts";
 
 beforeAll(async () => {
   await init();
-  await loadAnalysis(readFileSync(analysisAddress));
+  await loadAnalysis(() => readFileSync(analysisAddress));
 });
 
 const analyst = new Analyst(() => null);

@@ -1,7 +1,8 @@
 /** Fitting to a traced line: the arithmetic, on the real core. */
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
-import { analysisAddress, loadAnalysis } from "../../web/src/engine/analysis.ts";
+import { loadAnalysis } from "../../web/src/engine/analysis.ts";
+import { analysisAddress } from "../../web/src/engine/analysis-place.ts";
 import { Analyst } from "../../web/src/engine/analyst.ts";
 import { type Fit, fitLine, type Study } from "../../web/src/fit/fit.ts";
 import { residualsOf, type Traced } from "../../web/src/fit/line.ts";
@@ -11,7 +12,7 @@ import { complete, type Params, type ParamsInput, valueAt, withValue } from "../
 
 beforeAll(async () => {
   await init();
-  await loadAnalysis(readFileSync(analysisAddress));
+  await loadAnalysis(() => readFileSync(analysisAddress));
 });
 
 const analyst = new Analyst(() => null);

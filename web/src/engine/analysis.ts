@@ -2,10 +2,8 @@
 import * as glue from "../../generated/bough-analysis.js";
 import type { Status } from "../plant/plant.ts";
 import type { Way } from "../plant/way.ts";
+import { analysisSource } from "./analysis-place.ts";
 import { compiled, type Source } from "./wasm.ts";
-
-/** Where that wasm is, for bundlers to see. */
-export const analysisAddress = new URL("../../generated/bough-analysis.wasm", import.meta.url);
 
 /** What is asked. Params are in flat form, and have passed `check`. */
 export type Question =
@@ -18,8 +16,9 @@ export type Finding = Float64Array | Way;
 let loading: Promise<unknown> | undefined;
 
 /** Makes the wasm ready. Only the first call asks for the source; after a failure the next one does so again. */
-export function loadAnalysis(source: Source = analysisAddress): Promise<unknown> {
-  loading ??= compiled(source)
+export function loadAnalysis(source: () => Source | PromiseLike<Source> = analysisSource): Promise<unknown> {
+  loading ??= Promise.resolve(source())
+    .then(compiled)
     .then((module) => glue.default({ module_or_path: module as WebAssembly.Module }))
     .catch((error: unknown) => {
       loading = undefined;

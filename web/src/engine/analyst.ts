@@ -4,6 +4,7 @@ import { flatten, type Params } from "../params/params.ts";
 import type { Place, Sensitivity } from "../plant/sensitivity.ts";
 import type { Way } from "../plant/way.ts";
 import { answer, type Finding, type Question } from "./analysis.ts";
+import { openAnalysisWorker } from "./analysis-place.ts";
 
 /** A reply of the worker. */
 interface Reply {
@@ -17,29 +18,16 @@ interface Waiting {
   reject(reason: unknown): void;
 }
 
-/** Opens the worker; null where there are none, as in a page from a file. */
-export type OpenWorker = () => Worker | null;
-
-const beside: OpenWorker = () => {
-  try {
-    return new Worker(new URL("./analysis-port.ts", import.meta.url), {
-      type: "module",
-      name: "bough-study",
-    });
-  } catch {
-    return null;
-  }
-};
-
 export class Analyst {
-  readonly #open: OpenWorker;
+  readonly #open: () => Worker | null;
   /** Null once it is known that there is none to be had. */
   #worker: Worker | null | undefined;
   #hasAnswered = false;
   #lastId = 0;
   readonly #waiting = new Map<number, Waiting & { question: Question }>();
 
-  constructor(open: OpenWorker = beside) {
+  /** `open` opens the worker; null where there are none, as in a page from a file. */
+  constructor(open: () => Worker | null = openAnalysisWorker) {
     this.#open = open;
   }
 

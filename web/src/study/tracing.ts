@@ -4,6 +4,7 @@ import { live } from "lit/directives/live.js";
 import type { Traced } from "../fit/line.ts";
 import { quantityText } from "../form/quantity.ts";
 import { measure } from "../geometry/measure.ts";
+import { local } from "../language/number.ts";
 import type { Vector } from "../params/declaration.ts";
 import type { Plant } from "../plant/plant.ts";
 import type { Stage } from "../scene/stage.ts";
@@ -114,6 +115,10 @@ export class Tracing {
       this.#problem = error instanceof Error ? error.message : String(error);
     }
     this.#onChange();
+    if (!this.#problem) return;
+    // A photo may be dropped far from where its problem is said.
+    await new Promise(requestAnimationFrame);
+    document.querySelector("#photo-problem")?.scrollIntoView({ block: "nearest" });
   }
 
   #drop(): void {
@@ -148,7 +153,7 @@ export class Tracing {
         <label class="file">${own.choose}<input class="visually-hidden" type="file" accept="image/*" @change=${choose} /></label>
         ${this.#photo ? html`<button type="button" @click=${() => this.#drop()}>${own.remove}</button>` : nothing}
       </p>
-      ${this.#problem ? html`<p class="issue" role="alert">${this.#problem}</p>` : nothing}
+      ${this.#problem ? html`<p class="issue" id="photo-problem" role="alert">${this.#problem}</p>` : nothing}
       ${this.#photo ? this.#layout() : nothing}
       <fieldset class="modes">
         <legend>${own.click}</legend>
@@ -370,5 +375,5 @@ export class Tracing {
 /** "3.2 mm (2.1 px of the photo)". */
 export function distanceText(meters: number, pixel: number | null): string {
   const text = quantityText(meters, "m", 2);
-  return pixel ? `${text} (${(meters / pixel).toFixed(1)} px)` : text;
+  return pixel ? `${text} (${local((meters / pixel).toFixed(1))} px)` : text;
 }

@@ -3,6 +3,7 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import type { Analyst } from "../engine/analyst.ts";
 import { quantityText, unitText } from "../form/quantity.ts";
 import { digits, quantity, scaleFor } from "../geometry/quantity.ts";
+import { local } from "../language/number.ts";
 import type { Vector } from "../params/declaration.ts";
 import type { Plant } from "../plant/plant.ts";
 import { acrossOf, type Chart, drawChart, heightOf, type Strip, sheet } from "../plots/chart.ts";
@@ -255,5 +256,5 @@ function table(profile: Profile): TemplateResult {
 }
 
 function digits3(value: number): string {
-  return String(Number(value.toPrecision(3)) + 0).replace("-", "−");
+  return local(String(Number(value.toPrecision(3)) + 0).replace("-", "−"));
 }
