@@ -19,13 +19,15 @@ export function offline() {
       const files = readdirSync(shared, { recursive: true, withFileTypes: true })
         .filter((entry) => entry.isFile())
         .map(({ parentPath, name }) => join(parentPath, name));
+      // The course is read elsewhere: its figures are none of the explorer's files.
+      const built = Object.values(bundle).filter(({ fileName }) => !/^course\/|\.map$/.test(fileName));
       const hash = createHash("sha256");
       for (const file of files) hash.update(readFileSync(file));
-      for (const file of Object.values(bundle)) hash.update(file.type === "chunk" ? file.code : file.source);
+      for (const file of built) hash.update(file.type === "chunk" ? file.code : file.source);
       const names = [
-        ...Object.keys(bundle),
+        ...built.map(({ fileName }) => fileName),
         ...files.map((file) => file.slice(shared.length + 1).replaceAll(sep, "/")),
-      ].filter((name) => !name.endsWith(".map"));
+      ];
       const source = readFileSync(template, "utf8")
         .replace('"FILES"', JSON.stringify(["./", ...names.sort()]))
         .replace("VERSION", hash.digest("hex").slice(0, 16));

@@ -18,7 +18,7 @@ afterAll(() => browser.close());
 /** The whole page is gone through, with pictures that the CPU computes. ms */
 const patience = 180_000;
 
-/** Uses everything that loads late: each dialog, a help, a language, a body to take away, a point to pull at. */
+/** Uses everything that loads late: each dialog, a help, a language, a body to take away, a point to pull at, the study. */
 async function useEverything(page: Page): Promise<void> {
   await page.getByRole("button", { name: "About Elevation" }).click();
   await page.locator("#axis-elevation-help math").waitFor();
@@ -39,6 +39,9 @@ async function useEverything(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Take hold of the tip" }).click();
   await page.locator(".pull data").waitFor();
   await page.keyboard.press("Escape");
+  await page.locator("details.why > summary").click();
+  await page.locator(".bars li").first().waitFor();
+  await page.locator("details.why > summary").click();
   for (const [lang, name] of [
     ["de", "Wachsen sehen"],
     ["zh", "观看生长"],
@@ -90,6 +93,19 @@ describe("on a server", () => {
     const found = installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== "in-incognito");
     expect(found).toEqual([]);
     await page.context().close();
+  });
+
+  it("clears away what an older version kept, and nothing of the docs, which are of the same origin", async () => {
+    const context = await browser.newContext({ serviceWorkers: "allow", reducedMotion: "reduce" });
+    const page = await context.newPage();
+    await page.goto(new URL("embed.html", inject("site")).href);
+    const names = () => page.evaluate(async () => (await caches.keys()).sort());
+    await page.evaluate(() => Promise.all(["bough-docs-1", "bough-page-1"].map((name) => caches.open(name))));
+    await page.goto(inject("site"));
+    await settled(page);
+    await kept(page);
+    expect(await names()).toEqual(["bough-docs-1", expect.stringMatching(/^bough-page-[0-9a-f]{16}$/)]);
+    await context.close();
   });
 
   it(

@@ -15,6 +15,7 @@ export const groups = [
       page("README.md", "index", "What Bough is"),
       page("docs/package.md", "package", "The npm package"),
       page("examples/README.md", "examples", "Examples"),
+      page("docs/features.md", "features", "Beside other pages"),
     ],
   },
   {

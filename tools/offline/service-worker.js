@@ -1,7 +1,7 @@
 // Keeps the files of one version of Bough, and answers with them. A newer version is fetched beside it, and takes over once
 // no page of the old one is open: a page never mixes two. Everything else, the pages for frames say, goes to the network.
 
-const cacheName = "bough-VERSION";
+const cacheName = "bough-page-VERSION";
 const files = "FILES";
 const kept = new Set(files.map((file) => new URL(file, self.registration.scope).href));
 
@@ -16,7 +16,7 @@ self.addEventListener("install", (event) => {
 self.addEventListener("activate", (event) => {
   const drop = async () => {
     const names = await caches.keys();
-    const old = names.filter((name) => name.startsWith("bough-") && name !== cacheName);
+    const old = names.filter((name) => name.startsWith("bough-page-") && name !== cacheName);
     await Promise.all(old.map((name) => caches.delete(name)));
   };
   event.waitUntil(drop());
