@@ -11,44 +11,45 @@ beforeAll(async () => {
 });
 afterAll(() => browser.close());
 
-describe.each(["light", "dark"] as const)("in %s", (colorScheme) => {
+describe("to axe", () => {
+  // A sample; `npm run soak -- --only languages` looks at every state in light and dark, wide and on a phone.
   it.each([
-    [1280, 800],
-    [390, 844],
-  ])("at %d x %d axe finds nothing, with everything open and something wrong", async (width, height) => {
-    const viewport = { width, height };
-    const { page } = await visit(browser, "?preset=figure-8b&zz=1", {
-      viewport,
-      colorScheme,
-      bypassCSP: true,
-    });
-    for (const summary of await page.locator("summary").all()) await summary.click();
-    await page.getByRole("button", { name: "About Gravity" }).click();
-    await page.getByRole("textbox", { name: /^Gravity/ }).fill("much");
-    await page.getByRole("textbox", { name: /^Gravity/ }).press("Enter");
-    await page.getByRole("alert").waitFor();
-    await settled(page);
-    expect(await violations(page)).toEqual([]);
-    // Coloured, with its legend; held, with the force; and with each dialog open.
-    await page.getByRole("combobox", { name: "Colour" }).selectOption("stress");
-    await page.getByRole("button", { name: "Take hold of the tip" }).click();
-    await page.locator(".pull data").waitFor({ state: "attached" });
-    await settled(page);
-    expect(await violations(page)).toEqual([]);
-    for (const name of ["Keys", "All plates", "Take it away", "Embed"]) {
-      await page.getByRole("button", { name, exact: true }).click();
-      await page.getByRole("dialog", { name }).waitFor();
+    ["light", 1280, 800],
+    ["dark", 390, 844],
+  ] as const)(
+    "in %s, at %d x %d, there is nothing, with everything open and something wrong",
+    async (colorScheme, width, height) => {
+      const viewport = { width, height };
+      const { page } = await visit(browser, "?preset=figure-8b&zz=1", {
+        viewport,
+        colorScheme,
+        bypassCSP: true,
+      });
+      for (const summary of await page.locator("summary").all()) await summary.click();
+      await page.getByRole("button", { name: "About Gravity" }).click();
+      await page.getByRole("textbox", { name: /^Gravity/ }).fill("much");
+      await page.getByRole("textbox", { name: /^Gravity/ }).press("Enter");
+      await page.getByRole("alert").waitFor();
+      await settled(page);
       expect(await violations(page)).toEqual([]);
-      await page.keyboard.press("Escape");
-    }
-    await page.context().close();
-  });
+      // Coloured, with its legend; held, with the force; and with each dialog open.
+      await page.getByRole("combobox", { name: "Colour" }).selectOption("stress");
+      await page.getByRole("button", { name: "Take hold of the tip" }).click();
+      await page.locator(".pull data").waitFor({ state: "attached" });
+      await settled(page);
+      expect(await violations(page)).toEqual([]);
+      for (const name of ["Keys", "All plates", "Take it away", "Embed"]) {
+        await page.getByRole("button", { name, exact: true }).click();
+        await page.getByRole("dialog", { name }).waitFor();
+        expect(await violations(page)).toEqual([]);
+        await page.keyboard.press("Escape");
+      }
+      await page.context().close();
+    },
+  );
 
   it("nothing sticks out sideways on a narrow phone", async () => {
-    const { page } = await visit(browser, "?preset=figure-8b", {
-      viewport: { width: 320, height: 640 },
-      colorScheme,
-    });
+    const { page } = await visit(browser, "?preset=figure-8b", { viewport: { width: 320, height: 640 } });
     const overflow = await page.evaluate(() => {
       const panel = document.querySelector("#controls");
       return [document.documentElement, panel].map((element) =>

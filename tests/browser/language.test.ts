@@ -1,13 +1,10 @@
 /** The page in each of its languages. */
-import type { Browser, Page } from "playwright";
+import type { Browser } from "playwright";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { chinese } from "../../web/src/language/chinese.ts";
-import { french } from "../../web/src/language/french.ts";
-import { german } from "../../web/src/language/german.ts";
-import { spanish } from "../../web/src/language/spanish.ts";
 import { violations } from "./axe.ts";
 import { launchChromium } from "./chromium.ts";
 import { cutTexts } from "./cut.ts";
+import { dialogs, openAll, openAndSpoil, openDialog } from "./sights.ts";
 import { query, settled, visit } from "./visit.ts";
 
 let browser: Browser;
@@ -15,20 +12,6 @@ beforeAll(async () => {
   browser = await launchChromium();
 });
 afterAll(() => browser.close());
-
-const dictionaries = { de: german, fr: french, es: spanish, zh: chinese } as const;
-const dialogs = ["Keys", "All plates", "Take it away", "Embed"] as const;
-
-/** Opens a dialog by the button of its English name. */
-async function openDialog(
-  page: Page,
-  tag: keyof typeof dictionaries,
-  name: (typeof dialogs)[number],
-): Promise<void> {
-  const said = dictionaries[tag].texts[name];
-  await page.getByRole("button", { name: said, exact: true }).click();
-  await page.getByRole("dialog", { name: said }).waitFor();
-}
 
 describe("a language", () => {
   it("is chosen from the menu, said by the link, and undone like anything else", async () => {
@@ -97,44 +80,34 @@ describe("a language", () => {
   });
 });
 
-/** One state and one dialog in each language, and another of each in the next: together all of them. */
+/** A sample; `npm run soak -- --only languages` looks at every state in each language. */
 describe.each([
-  ["de", "light", 1280, 800, "?preset=figure-8b&zz=1", ["Take it away"]],
-  ["fr", "dark", 390, 844, "?preset=figure-17c&color=stress", ["Take it away", "Keys"]],
-  ["es", "light", 390, 844, "?preset=figure-18a&style=model", ["Embed", "Take it away"]],
-  ["zh", "dark", 1280, 800, "?preset=figure-13d&view=space&color=age", ["All plates", "Take it away"]],
-] as const)("in %s", (lang, colorScheme, width, height, link, opened) => {
-  it("axe finds nothing, with everything open and something wrong, and in dialogs", async () => {
+  ["de", "dark", 390, 844, "?preset=figure-17c&color=stress", "Take it away"],
+  ["zh", "light", 1280, 800, "?preset=figure-13d&view=space&color=age", "All plates"],
+] as const)("in %s", (lang, colorScheme, width, height, link, dialog) => {
+  it("axe finds nothing, with everything open and something wrong, and in a dialog", async () => {
     const options = { viewport: { width, height }, colorScheme, bypassCSP: true };
     const { page } = await visit(browser, `${link}&lang=${lang}`, options);
-    for (const summary of await page.locator("summary").all()) await summary.click();
-    await page.locator("#loads-gravity").fill("?");
-    await page.locator("#loads-gravity").press("Enter");
-    await page.getByRole("alert").waitFor();
-    await settled(page);
+    await openAndSpoil(page);
     expect(await violations(page)).toEqual([]);
-    for (const name of opened) {
-      await openDialog(page, lang, name);
-      expect(await violations(page)).toEqual([]);
-      await page.keyboard.press("Escape");
-    }
+    await openDialog(page, lang, dialog);
+    expect(await violations(page)).toEqual([]);
     await page.context().close();
   });
 });
 
-describe.each([
-  ["320 px wide", { viewport: { width: 320, height: 640 } }],
-  ["at 200 % zoom", { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }],
-])("%s", (_, options) => {
-  it.each(["de", "fr", "es"] as const)("no text is cut off in %s", async (lang) => {
-    const { page } = await visit(browser, `?preset=figure-17d&color=stress&lang=${lang}`, options);
-    for (const summary of await page.locator("summary").all()) await summary.click();
-    expect(await page.evaluate(cutTexts)).toEqual([]);
-    for (const name of dialogs) {
-      await openDialog(page, lang, name);
-      expect(await page.evaluate(cutTexts), name).toEqual([]);
-      await page.keyboard.press("Escape");
-    }
-    await page.context().close();
-  });
+it.each([
+  ["320 px wide in German", "de", { viewport: { width: 320, height: 640 } }],
+  ["320 px wide in French", "fr", { viewport: { width: 320, height: 640 } }],
+  ["at 200 % zoom in Spanish", "es", { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }],
+] as const)("no text is cut off %s", async (_, lang, options) => {
+  const { page } = await visit(browser, `?preset=figure-17d&color=stress&lang=${lang}`, options);
+  await openAll(page);
+  expect(await page.evaluate(cutTexts)).toEqual([]);
+  for (const name of dialogs) {
+    await openDialog(page, lang, name);
+    expect(await page.evaluate(cutTexts), name).toEqual([]);
+    await page.keyboard.press("Escape");
+  }
+  await page.context().close();
 });

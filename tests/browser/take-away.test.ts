@@ -1,11 +1,15 @@
 /** Everything that can be taken away, saved by a person and opened by something that is not ours; and opened here again. */
 import { readFile } from "node:fs/promises";
+import { parse } from "csv-parse/sync";
 import { validateBytes } from "gltf-validator";
 import type { Browser, Page } from "playwright";
 import { type BufferGeometry, Mesh } from "three";
 import { OBJLoader } from "three/addons/loaders/OBJLoader.js";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { grow, init } from "../../web/src/package/node.ts";
+import { presets } from "../../web/src/params/declaration.ts";
 import { launchChromium } from "./chromium.ts";
+import { openDialog, said, type Tag } from "./sights.ts";
 import { placeOf, query, readTip, settled, visit } from "./visit.ts";
 
 let browser: Browser;
@@ -17,19 +21,17 @@ afterAll(() => browser.close());
 /** Pictures are computed on the CPU here: a small one is enough. */
 const small = { viewport: { width: 800, height: 500 } };
 
-async function open(link = "", options = {}) {
+async function open(link = "", options = {}, tag: Tag = "en") {
   const visited = await visit(browser, link, options);
-  await visited.page.getByRole("button", { name: "Take it away" }).click();
-  const dialog = visited.page.getByRole("dialog", { name: "Take it away" });
-  await dialog.waitFor();
+  const dialog = await openDialog(visited.page, tag, "Take it away");
   return { ...visited, dialog };
 }
 
 /** Presses a button of the dialog; the file that the browser saves. */
-async function saved(page: Page, name: string): Promise<{ name: string; bytes: Buffer }> {
+async function saved(page: Page, name: string, tag: Tag = "en"): Promise<{ name: string; bytes: Buffer }> {
   const [download] = await Promise.all([
     page.waitForEvent("download", { timeout: 30_000 }),
-    page.getByRole("button", { name: `Save ${name}` }).click(),
+    page.getByRole("button", { name: said(tag, "Save {0}").replace("{0}", name) }).click(),
   ]);
   return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
 }
@@ -125,6 +127,27 @@ describe("the centre lines", () => {
     expect(inked).toBeGreaterThan(300);
     // The pen is about as wide as the thinnest limbs: its edge may stick out by a pixel.
     expect(onWood / inked).toBeGreaterThan(0.93);
+    expect(problems).toEqual([]);
+    await page.context().close();
+  });
+});
+
+describe("the table", () => {
+  it("is read by a parser of CSV to the numbers of the plant, bit by bit", async () => {
+    const { page, problems } = await open("?preset=figure-18b&lang=de", small, "de");
+    const { name, bytes } = await saved(page, "CSV", "de");
+    expect(name).toBe("bough-figure-18b.csv");
+    const rows: Record<string, number>[] = parse(bytes, {
+      columns: true,
+      cast: (cell, { header }) => (header ? cell : Number(cell)),
+    });
+    await init();
+    const { segments } = grow(presets["figure-18b"]?.params ?? {});
+    const column = (title: string) => rows.map((row) => row[title]);
+    expect(column("length (m)")).toEqual([...segments.length]);
+    expect(column("bending moment (N m)")).toEqual([...segments.moment]);
+    expect(column("largest stress (Pa)")).toEqual([...segments.stress]);
+    expect(column("birth (growth step)")).toEqual([...segments.birth]);
     expect(problems).toEqual([]);
     await page.context().close();
   });
@@ -261,32 +284,36 @@ describe("a file", () => {
     await page.context().close();
   });
 
-  it.each([
-    ["notes.txt", "text/plain", "hello", "it holds no JSON"],
-    ["cells.json", "application/json", "[1,2,3]", "holds JSON, but no plant"],
-    ["picture.svg", "image/svg+xml", "<svg/>", "is a picture"],
-    ["huge.json", "application/json", 500_000_000, "has 500 MB"],
-    ["next.json", "application/json", '{"format":"bough-plant","edition":9}', "was written by a newer Bough"],
-    [
-      "bad.json",
-      "application/json",
-      '{"axis":{"segments":-1,"length":2}}',
-      "Segments must be a whole number from 1",
-    ],
-  ])(
-    "that is no plant is refused in a sentence, and nothing is lost: %s",
-    async (name, type, content, sentence) => {
-      const { page, problems } = await visit(browser, "?preset=figure-13c&g=3");
-      const [link, tip] = [page.url(), await readTip(page)];
+  it("that is no plant is refused in a sentence, and nothing is lost", async () => {
+    const { page, problems } = await visit(browser, "?preset=figure-13c&g=3", small);
+    await page.locator("details.measure").waitFor();
+    const [link, tip] = [page.url(), await readTip(page)];
+    for (const [name, type, content, sentence] of [
+      ["notes.txt", "text/plain", "hello", "it holds no JSON"],
+      ["cells.json", "application/json", "[1,2,3]", "holds JSON, but no plant"],
+      ["huge.json", "application/json", 500_000_000, "has 500 MB"],
+      [
+        "next.json",
+        "application/json",
+        '{"format":"bough-plant","edition":9}',
+        "was written by a newer Bough",
+      ],
+      ["bad.json", "application/json", '{"axis":{"segments":-1}}', "Segments must be a whole number from 1"],
+      ["strange.json", "application/json", '{"axis":{"length":2}}', "axis.length"],
+      // Pictures are taken as photos, and their problem is said there.
+      ["picture.svg", "image/svg+xml", "<svg/>", "is not a photo that can be shown here"],
+      ["huge.png", "image/png", 500_000_000, "has 500 MB"],
+    ] as const) {
       await drop(page, name, type, content);
-      const notice = page.locator(".notice.problem");
+      const notice = page.locator(".notice.problem, #photo-problem").filter({ hasText: name });
       await notice.waitFor();
       expect(await notice.innerText()).toContain(sentence);
-      expect(await notice.innerText()).toContain(name);
+      const box = await notice.boundingBox();
+      expect(box?.y, `${name}: where it is seen`).toBeLessThan(small.viewport.height);
       await settled(page);
       expect([page.url(), await readTip(page)]).toEqual([link, tip]);
-      expect(problems).toEqual([]);
-      await page.context().close();
-    },
-  );
+    }
+    expect(problems).toEqual([]);
+    await page.context().close();
+  });
 });

@@ -58,6 +58,11 @@ export const shards = [
     name: `10,000 random actions, seed ${100 + part}`,
     run: () => walkAbout(100 + part),
   })),
+  ...["en", "de", "fr", "es", "zh"].map((tag) => ({
+    job: "languages",
+    name: `every state of the page in ${tag}: axe, and texts that are cut off`,
+    run: () => languages(tag),
+  })),
   ...looks.map((look) => ({
     job: "visual",
     name: `every preset, ${look.screen} and ${look.theme}`,
@@ -77,34 +82,39 @@ async function memory() {
 }
 
 async function widgets() {
-  await buildSite();
-  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/element"];
-  const printed = await runCommand("widgets and frames", soak, { limit: 7200, env: { NO_COLOR: "1" } });
-  return printed
-    .split("\n")
-    .filter((line) => /at once|nodes, /.test(line))
-    .join("\n");
+  return soakTest("widgets and frames", "tests/element", {}, /at once|nodes, /);
 }
 
 async function courseLinks() {
-  await buildSite();
-  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/browser/course-links"];
-  const printed = await runCommand("links of the course", soak, { limit: 3600, env: { NO_COLOR: "1" } });
-  return printed
-    .split("\n")
-    .filter((line) => line.startsWith("course links: "))
-    .join("\n");
+  return soakTest("links of the course", "tests/browser/course-links", {}, /^course links: /);
 }
 
 /** @param {number} seed */
 async function walkAbout(seed) {
+  const env = { BOUGH_SEED: String(seed), BOUGH_ACTIONS: "10000" };
+  return soakTest(`random actions, seed ${seed}`, "tests/browser/walk.soak.ts", env, /^seed \d+: /);
+}
+
+/** @param {string} tag */
+async function languages(tag) {
+  const env = { BOUGH_LANGUAGE: tag };
+  return soakTest(`every state in ${tag}`, "tests/browser/language.soak.ts", env, /^\w\w: \d+ states/);
+}
+
+/**
+ * Runs what is in Chromium, on the built site.
+ * @param {string} what
+ * @param {string} files of the tests
+ * @param {Record<string, string>} env
+ * @param {RegExp} telling which lines of what is printed are evidence
+ */
+async function soakTest(what, files, env, telling) {
   await buildSite();
-  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", "tests/browser/walk"];
-  const env = { NO_COLOR: "1", BOUGH_SEED: String(seed), BOUGH_ACTIONS: "10000" };
-  const printed = await runCommand(`random actions, seed ${seed}`, soak, { limit: 7200, env });
+  const soak = [...nodeCommand("vitest"), "run", "--project", "soak", files];
+  const printed = await runCommand(what, soak, { limit: 7200, env: { NO_COLOR: "1", ...env } });
   return printed
     .split("\n")
-    .filter((line) => /^seed \d+: /.test(line))
+    .filter((line) => telling.test(line))
     .join("\n");
 }
 

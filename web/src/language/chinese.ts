@@ -211,7 +211,7 @@ export const chinese: Dictionary = {
     Pause: "暂停",
     "Watch it grow": "观看生长",
     "growth step {0} of {1}": "生长步 {0}，共 {1} 步",
-    "of {0}": "共 {0}",
+    "of {0}": "/ {0}",
     Speed: "速度",
     "Speed of the replay": "播放速度",
     "Take the loads off": "卸去载荷",

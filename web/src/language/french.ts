@@ -380,7 +380,7 @@ export const french: Dictionary = {
     "Nothing: both are the same plant.": "Rien : c’est la même plante.",
     "{0}: {1}, now {2}": "{0} : {1}, maintenant {2}",
     "How far each place is from where it is in A ({0})":
-      "À quelle distance chaque endroit est de sa place dans A ({0})",
+      "Distance de chaque endroit à sa place dans A ({0})",
     "How far it is turned from A (°)": "De combien il est tourné par rapport à A (°)",
     "Distance along the axis (% of its length)": "Distance le long de l’axe (% de sa longueur)",
     "The pinned plant of the link cannot be grown, so nothing is pinned.":

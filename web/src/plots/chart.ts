@@ -95,8 +95,8 @@ function drawStrip(strip: Strip, top: number, place: (x: number) => number): SVG
   let min = values.reduce((least, value) => Math.min(least, value), zero[0] ?? values[0] ?? 0);
   let max = values.reduce((most, value) => Math.max(most, value), zero[0] ?? values[0] ?? 1);
   // A straight line must not become a picture of round-off.
-  const least = strip.fromZero ? 1e-12 : 1;
-  if (max - min < least) [min, max] = [(min + max - least) / 2, (min + max + least) / 2];
+  const least = strip.fromZero ? 1e-9 : 1;
+  if (max - min < least) [min, max] = [(min + max - 1) / 2, (min + max + 1) / 2];
   const height = (value: number) => top + sheet.strip * (1 - (scaled(value) - min) / (max - min));
   const marks = strip.isLogarithmic
     ? ticksWithin(min, max, 3)
