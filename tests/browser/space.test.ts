@@ -65,7 +65,10 @@ it.each([
   const pointer = await takeHold(page, place, { x: 15, y: 25 });
   const shown = (await page.locator(".pull data").getAttribute("value")) ?? "";
   const [x = 0, y = 0, z = 0] = shown.split(",").map(Number);
-  await page.locator(".pull").getByText(`Segment ${segment + 1} `).waitFor();
+  await page
+    .locator(".pull")
+    .getByText(`Segment ${segment + 1} `)
+    .waitFor();
   const there = await placeOf(page, lastEnd(params, [x, y, z]).place);
   expect(Math.hypot(there.x - pointer.x, there.y - pointer.y)).toBeLessThan(2);
   await page.mouse.up();

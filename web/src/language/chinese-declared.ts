@@ -28,6 +28,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "剪切模量比",
       "剪切模量与杨氏模量之比，抵抗扭转：圆截面的 GJ/EI 为其两倍。木材约为 0.06 至 0.12，橡胶为 0.33。",
     ],
+    "material.modulusOfRupture": [
+      "断裂模量",
+      "木材断裂时的纤维应力：湿材可承受 30 至 80 MPa，嫩枝约为其十分之一。",
+    ],
     "tropism.elevation": [
       "偏好方向",
       "轴力求生长的方向，从水平线向上计：90 为竖直向上，0 为水平，-90 为竖直向下。",
@@ -62,6 +66,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     "arrangement.count": ["茎上轴数", "全部轴开始生长后茎上有多少条轴。"],
     "arrangement.spacing": ["茎上间距", "相邻两轴之间的茎长。"],
+    "arrangement.trunk": ["裸干", "下部裸露茎段的长度；其上开始第一个间距。"],
     "arrangement.divergence": [
       "发散角",
       "从一条轴到下一条轴绕茎的转角；137.5 是螺旋叶序的黄金角，180 排成两列。",
@@ -77,6 +82,20 @@ export const declared: Omit<Dictionary, "texts"> = {
     "arrangement.stemElevation": ["茎仰角", "柔性茎离开地面的方向，从水平线向上计；其上的轴随之倾斜。"],
     "loads.gravity": ["重力", "重力加速度：地球 9.81，月球 1.62，自由落体 0。"],
     "loads.tipMass": ["顶端质量", "每个顶端的果实或花，自第一个生长步起即承载。"],
+    "loads.foliage": ["叶量", "每米新生木材上叶的质量，每个生长步都承载。"],
+    "loads.foliageAge": ["叶龄", "一个节段带叶的生长步数：此即所谓新生木材。"],
+    "loads.foliageArea": [
+      "叶面积",
+      "单位质量叶的单面面积：风和雪所遇到的面积。新鲜阔叶为 3 至 6，针叶为 1 至 2。",
+    ],
+    "loads.snow": ["雪或雨", "落在成株上的质量，按自上俯视的木材面积与叶面积计：雨为 0.2，雪为 5 至 40。"],
+    "loads.wind": [
+      "风",
+      "作用于成株的定常风速。对木材按垂直于其方向之风速的平方横向推压，对叶则沿风向推压。",
+    ],
+    "loads.windAzimuth": ["风向", "风吹去的方向，绕竖直线计：0 向右，180 向左。"],
+    "loads.dragCoefficient": ["木材阻力", "木材按直径计的阻力系数；圆杆约为 1。"],
+    "loads.foliageDrag": ["叶的阻力", "叶按静止空气中面积计的阻力系数；叶在风中会收拢，故远小于平板。"],
     "loads.tipForce": [
       "顶端力",
       "作用于主轴顶端的力 x、y、z，在每个生长步作用于该龄的顶端。绕茎时 x 指向茎外。",
@@ -85,6 +104,7 @@ export const declared: Omit<Dictionary, "texts"> = {
       "节段上的力",
       "生长之后拉动节段远端的力，如同指针所拉：{segment, force: [x, y, z]} 的列表。不写入链接。",
     ],
+    "loads.picked": ["摘果", "生长之后取下顶端的质量，显示植株回升多少。"],
     "loads.removed": ["卸去载荷", "生长之后卸去全部载荷，显示保留下来的弯曲：木材所记住的形状。"],
     "solver.discretization": ["离散化", "连续杆如何切分：论文的方式为一阶，另一种为二阶，故少量节段即可。"],
     "solver.method": ["方法", "如何求平衡：用精确 Hessian 的牛顿法，或论文中带阻尼的欧拉松弛，后者慢得多。"],
@@ -129,6 +149,21 @@ export const declared: Omit<Dictionary, "texts"> = {
     "figure-21a": ["分叉与弱向性", "所有轴都寻求第一条轴的起始方向，即向上 45 度，但很弱：它们张开。"],
     "figure-21b": ["分叉与强向性", "同上，但向性强：每个分叉之后不久，子枝又并行生长。"],
     "figure-21c": ["寻求水平的分叉", "指向水平的中等强度向性使植株如盘子般铺开。"],
+    "weeping-willow": ["垂柳", "枝条在早已不能自持之后仍继续生长：先弯成弓形，再如绳索般垂下。"],
+    "silver-birch": ["垂枝桦", "细长的枝陡直上升；细梢负满叶片，四面垂首。"],
+    "scots-pine": ["欧洲赤松", "轮生的粗枝，针叶成簇生于上翘的枝端。"],
+    "norway-spruce": ["挪威云杉", "老枝在负重下下垂，枝端又上翘：正是云杉的轮廓。"],
+    apple: ["春天的苹果枝", "结果之前它以四十度上升，木材就地增粗。"],
+    "apple-fruit": [
+      "结果的苹果枝",
+      "同一枝条，负果生长。摘去果实：它会回升，但不及下沉之多，因为木材有记忆。",
+    ],
+    wheat: [
+      "风中的小麦",
+      "中空的麦秆顶着成熟的麦穗，风速 8 m/s。阻力随弯曲而变：试试 15 m/s，看麦秆在何处折断。",
+    ],
+    climber: ["攀缘的新梢", "未寻得依托的探枝长过其能直立的长度，弯垂下来，又将顶端翘起。"],
+    snowdrop: ["雪花莲", "花茎挺立；在花下弯曲的是其细端。"],
   },
   names: {
     axis: "轴",
@@ -198,5 +233,8 @@ export const declared: Omit<Dictionary, "texts"> = {
     "section 5.1": "第 5.1 节",
     "past the paper: three dimensions": "论文之外：三维",
     "section 5.2 in three dimensions": "第 5.2 节的三维形式",
+    "Hoerner 1965, cross-flow principle": "Hoerner 1965，横流原理",
+    "loads along the axis, as equation 9 has them": "沿轴载荷，如式 9",
+    chosen: "自选",
   },
 };

@@ -20,6 +20,13 @@ export const chinese: Dictionary = {
       "未达平衡：求解器的迭代次数已用完（剩余力矩为最大力矩的 {0}）。",
     "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
       "它在第 {0} 步时仍站立；增大半径或杨氏模量，或减小重力，可使其站立更久。",
+    "It would break first {0} from the base, at {1} times this stress.":
+      "它会先断于距基部 {0} 处，在此应力的 {1} 倍时。",
+    "It would break first at the base, at {0} times this stress.": "它会先断于基部，在此应力的 {0} 倍时。",
+    "It breaks under this load, first {0} from the base; it is shown as if it held.":
+      "它在此载荷下折断，先断于距基部 {0} 处；图中按未断显示。",
+    "It breaks under this load, first at the base; it is shown as if it held.":
+      "它在此载荷下折断，先断于基部；图中按未断显示。",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "未达平衡：数值超出了一切界限。请试用更温和的数值。",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -81,7 +88,6 @@ export const chinese: Dictionary = {
     "All plates": "全部图版",
     Plates: "图版",
     Default: "默认",
-    Plate: "图版",
     "Figure {0}": "图 {0}",
     "{0} Its default is taken instead.": "{0}改用默认值。",
     Spacebar: "空格",
@@ -103,6 +109,12 @@ export const chinese: Dictionary = {
     Curvature: "曲率",
     Age: "年龄",
     Limbs: "枝条",
+    "Drag on a segment across the wind, with v_n its speed at right angles":
+      "横风中节段所受阻力，v_n 为垂直方向的风速",
+    "Fibre stress, below which the wood holds": "纤维应力，低于此值木材不断",
+    Plant: "植物",
+    "Plants one knows": "常见植物",
+    Bare: "裸枝",
     Model: "模型",
     Plane: "平面",
     Space: "空间",

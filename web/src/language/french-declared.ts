@@ -49,6 +49,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Rapport du module de cisaillement",
       "Module de cisaillement sur module de Young, qui résiste à la torsion : GJ/EI d’une section ronde en est le double. Le bois a environ 0,06 à 0,12, le caoutchouc 0,33.",
     ],
+    "material.modulusOfRupture": [
+      "Contrainte de rupture",
+      "Contrainte de fibre à laquelle le bois casse : le bois vert tient de 30 à 80 MPa, les pousses tendres un dixième de cela.",
+    ],
     "tropism.elevation": [
       "Direction préférée",
       "La direction dans laquelle l’axe cherche à pousser, au-dessus de l’horizontale : 90 est droit vers le haut, 0 horizontal, -90 droit vers le bas.",
@@ -95,6 +99,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Combien d’axes porte la tige quand tous ont commencé à pousser.",
     ],
     "arrangement.spacing": ["Espacement sur la tige", "Longueur de tige entre un axe et le suivant."],
+    "arrangement.trunk": [
+      "Tronc nu",
+      "Longueur de tige nue en bas ; au-dessus commence le premier espacement.",
+    ],
     "arrangement.divergence": [
       "Angle de divergence",
       "Rotation autour de la tige d’un axe au suivant ; 137,5 est l’angle d’or de la phyllotaxie spiralée, 180 fait deux rangs.",
@@ -119,6 +127,38 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Masse à l’apex",
       "Un fruit ou une fleur à chaque apex, porté dès la première étape de croissance.",
     ],
+    "loads.foliage": [
+      "Feuillage",
+      "Masse des feuilles par mètre de bois jeune, portée à chaque étape de croissance.",
+    ],
+    "loads.foliageAge": [
+      "Âge du feuillage",
+      "Pendant combien d’étapes de croissance un segment porte des feuilles : c’est ce qui compte comme bois jeune.",
+    ],
+    "loads.foliageArea": [
+      "Surface du feuillage",
+      "Surface des feuilles, d’un côté, par masse : ce que rencontrent le vent et la neige. Les feuilles larges et fraîches ont de 3 à 6, les aiguilles de 1 à 2.",
+    ],
+    "loads.snow": [
+      "Neige ou pluie",
+      "Masse posée sur la plante adulte, par surface de son bois vu d’en haut et de ses feuilles : 0,2 pour la pluie, 5 à 40 pour la neige.",
+    ],
+    "loads.wind": [
+      "Vent",
+      "Vitesse d’un vent constant sur la plante adulte. Il pousse le bois en travers, selon le carré de la vitesse qui l’atteint à angle droit, et les feuilles dans sa propre direction.",
+    ],
+    "loads.windAzimuth": [
+      "Direction du vent",
+      "Où souffle le vent, tourné autour de la verticale : 0 est vers la droite, 180 vers la gauche.",
+    ],
+    "loads.dragCoefficient": [
+      "Traînée du bois",
+      "Coefficient de traînée du bois, rapporté à son diamètre ; une tige ronde a environ 1.",
+    ],
+    "loads.foliageDrag": [
+      "Traînée du feuillage",
+      "Coefficient de traînée des feuilles, rapporté à leur surface en air calme ; elles se replient au vent, il est donc bien inférieur à celui d’une plaque.",
+    ],
     "loads.tipForce": [
       "Force à l’apex",
       "Une force x, y, z sur l’apex de l’axe principal, qui agit à chaque étape de croissance sur l’apex de cet âge. Autour d’une tige, x s’en éloigne.",
@@ -126,6 +166,10 @@ export const declared: Omit<Dictionary, "texts"> = {
     "loads.forces": [
       "Forces sur les segments",
       "Forces qui tirent au bout distal de segments après la croissance, comme le fait un pointeur : une liste de {segment, force: [x, y, z]}. Absentes des liens.",
+    ],
+    "loads.picked": [
+      "Cueillir les fruits",
+      "Après la croissance, ôter les masses aux extrémités et montrer jusqu’où la plante se relève.",
     ],
     "loads.removed": [
       "Ôter les charges",
@@ -246,6 +290,39 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Fourches qui cherchent l’horizontale",
       "Un tropisme de force moyenne vers l’horizontale étale la plante comme une assiette.",
     ],
+    "weeping-willow": [
+      "Saule pleureur",
+      "Ses rameaux poussent encore bien après ne plus pouvoir se tenir : ils se courbent et pendent comme des cordes.",
+    ],
+    "silver-birch": [
+      "Bouleau verruqueux",
+      "Des branches élancées montent raide ; leurs bouts minces, lourds de feuilles, s’inclinent tout autour.",
+    ],
+    "scots-pine": [
+      "Pin sylvestre",
+      "Des verticilles de fortes branches, chacune avec ses aiguilles en touffes aux bouts qui se redressent.",
+    ],
+    "norway-spruce": [
+      "Épicéa",
+      "Les vieilles branches ploient sous ce qu’elles portent, leurs bouts se redressent : la silhouette d’un épicéa.",
+    ],
+    apple: [
+      "Une branche de pommier au printemps",
+      "Avant les fruits elle monte à quarante degrés, et son bois épaissit là où il est.",
+    ],
+    "apple-fruit": [
+      "Une branche de pommier chargée",
+      "La même branche, poussée sous ses fruits. Cueillez-les : elle se relève, mais moins qu’elle n’avait ployé, car le bois se souvient.",
+    ],
+    wheat: [
+      "Le blé dans le vent",
+      "Une paille creuse avec un épi mûr dans un vent de 8 m/s. La traînée suit la flexion : essayez 15 m/s, et voyez où la paille casse.",
+    ],
+    climber: [
+      "Une pousse grimpante",
+      "Une pousse exploratrice sans appui grandit au-delà de la longueur où elle tient debout, se courbe, et redresse son extrémité.",
+    ],
+    snowdrop: ["Un perce-neige", "La tige tient droite ; ce qui plie sous la fleur, c’est son bout mince."],
   },
   names: {
     axis: "Axe",
@@ -312,5 +389,8 @@ export const declared: Omit<Dictionary, "texts"> = {
       "section 3, avec des demi-masses aux deux bouts d’un segment",
     "past the paper: three dimensions": "au-delà de l’article : trois dimensions",
     "section 5.2 in three dimensions": "section 5.2 en trois dimensions",
+    "Hoerner 1965, cross-flow principle": "Hoerner 1965, principe de l’écoulement transversal",
+    "loads along the axis, as equation 9 has them": "charges le long de l’axe, comme dans l’équation 9",
+    chosen: "choisi",
   },
 };

@@ -20,6 +20,14 @@ export const french: Dictionary = {
       "Hors d’équilibre : le solveur a épuisé ses itérations (il reste {0} du plus grand couple).",
     "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
       "Elle tenait encore à l’étape {0} ; un rayon ou un module de Young plus grand, ou moins de gravité, la fait tenir plus longtemps.",
+    "It would break first {0} from the base, at {1} times this stress.":
+      "Elle casserait d’abord à {0} de la base, à {1} fois cette contrainte.",
+    "It would break first at the base, at {0} times this stress.":
+      "Elle casserait d’abord à la base, à {0} fois cette contrainte.",
+    "It breaks under this load, first {0} from the base; it is shown as if it held.":
+      "Elle casse sous cette charge, d’abord à {0} de la base ; elle est montrée comme si elle tenait.",
+    "It breaks under this load, first at the base; it is shown as if it held.":
+      "Elle casse sous cette charge, d’abord à la base ; elle est montrée comme si elle tenait.",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "Hors d’équilibre : les nombres ont dépassé toute borne. Essayez des valeurs plus douces.",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -83,7 +91,6 @@ export const french: Dictionary = {
     "All plates": "Toutes les planches",
     Plates: "Planches",
     Default: "Par défaut",
-    Plate: "Planche",
     "Figure {0}": "Figure {0}",
     "{0} Its default is taken instead.": "{0} Sa valeur par défaut est prise à la place.",
     Spacebar: "Espace",
@@ -105,6 +112,12 @@ export const french: Dictionary = {
     Curvature: "Courbure",
     Age: "Âge",
     Limbs: "Branches",
+    "Drag on a segment across the wind, with v_n its speed at right angles":
+      "Traînée d’un segment en travers du vent, v_n étant sa vitesse à angle droit",
+    "Fibre stress, below which the wood holds": "Contrainte de fibre, sous laquelle le bois tient",
+    Plant: "Plante",
+    "Plants one knows": "Plantes connues",
+    Bare: "Nu",
     Model: "Modèle",
     Plane: "Plan",
     Space: "Espace",
@@ -379,8 +392,7 @@ export const french: Dictionary = {
     "What is different": "Ce qui diffère",
     "Nothing: both are the same plant.": "Rien : c’est la même plante.",
     "{0}: {1}, now {2}": "{0} : {1}, maintenant {2}",
-    "How far each place is from where it is in A ({0})":
-      "Distance de chaque endroit à sa place dans A ({0})",
+    "How far each place is from where it is in A ({0})": "Distance de chaque endroit à sa place dans A ({0})",
     "How far it is turned from A (°)": "De combien il est tourné par rapport à A (°)",
     "Distance along the axis (% of its length)": "Distance le long de l’axe (% de sa longueur)",
     "The pinned plant of the link cannot be grown, so nothing is pinned.":

@@ -49,6 +49,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Schubmodulverhältnis",
       "Schubmodul durch Elastizitätsmodul, widersteht der Verdrehung: GJ/EI eines runden Querschnitts ist das Doppelte davon. Holz hat etwa 0,06 bis 0,12, Gummi 0,33.",
     ],
+    "material.modulusOfRupture": [
+      "Bruchfestigkeit",
+      "Randfaserspannung, bei der das Holz bricht: Frisches Holz hält 30 bis 80 MPa stand, weiche Triebe einem Zehntel davon.",
+    ],
     "tropism.elevation": [
       "Vorzugsrichtung",
       "Die Richtung, in der die Achse wachsen will, über der Waagrechten: 90 ist senkrecht nach oben, 0 waagrecht, -90 senkrecht nach unten.",
@@ -95,6 +99,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Wie viele Achsen der Stamm trägt, wenn alle zu wachsen begonnen haben.",
     ],
     "arrangement.spacing": ["Abstand am Stamm", "Stammlänge zwischen einer Achse und der nächsten."],
+    "arrangement.trunk": [
+      "Kahler Stamm",
+      "Länge des kahlen Stamms unten; darüber beginnt der erste Abstand.",
+    ],
     "arrangement.divergence": [
       "Divergenzwinkel",
       "Drehung um den Stamm von einer Achse zur nächsten; 137,5 ist der goldene Winkel der spiraligen Blattstellung, 180 ergibt zwei Zeilen.",
@@ -119,6 +127,38 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Masse an der Spitze",
       "Eine Frucht oder Blüte an jeder Spitze, getragen vom ersten Wachstumsschritt an.",
     ],
+    "loads.foliage": [
+      "Laub",
+      "Masse der Blätter je Meter jungen Holzes, in jedem Wachstumsschritt getragen.",
+    ],
+    "loads.foliageAge": [
+      "Alter des Laubs",
+      "Wie viele Wachstumsschritte lang ein Segment Blätter trägt: Das gilt als junges Holz.",
+    ],
+    "loads.foliageArea": [
+      "Fläche des Laubs",
+      "Fläche der Blätter, einer Seite, je Masse: was Wind und Schnee trifft. Frische Laubblätter haben 3 bis 6, Nadeln 1 bis 2.",
+    ],
+    "loads.snow": [
+      "Schnee oder Regen",
+      "Masse, die auf der ausgewachsenen Pflanze liegt, je Fläche ihres Holzes von oben gesehen und ihrer Blätter: 0,2 bei Regen, 5 bis 40 bei Schnee.",
+    ],
+    "loads.wind": [
+      "Wind",
+      "Geschwindigkeit eines stetigen Windes auf die ausgewachsene Pflanze. Holz drückt er quer zu dessen Richtung, mit dem Quadrat der Geschwindigkeit, die es im rechten Winkel trifft, Blätter in seine eigene Richtung.",
+    ],
+    "loads.windAzimuth": [
+      "Windrichtung",
+      "Wohin der Wind weht, um die Senkrechte gedreht: 0 ist nach rechts, 180 nach links.",
+    ],
+    "loads.dragCoefficient": [
+      "Widerstand des Holzes",
+      "Widerstandsbeiwert des Holzes, bezogen auf seinen Durchmesser; ein runder Stab hat etwa 1.",
+    ],
+    "loads.foliageDrag": [
+      "Widerstand des Laubs",
+      "Widerstandsbeiwert der Blätter, bezogen auf ihre Fläche in ruhiger Luft; im Wind falten sie sich, daher liegt er weit unter dem einer Platte.",
+    ],
     "loads.tipForce": [
       "Kraft an der Spitze",
       "Eine Kraft x, y, z auf die Spitze der Hauptachse; sie wirkt in jedem Wachstumsschritt auf die Spitze dieses Alters. An einem Stamm zeigt x von ihm weg.",
@@ -126,6 +166,10 @@ export const declared: Omit<Dictionary, "texts"> = {
     "loads.forces": [
       "Kräfte auf Segmente",
       "Kräfte, die nach dem Wachstum am fernen Ende von Segmenten ziehen, wie ein Zeiger es tut: eine Liste aus {segment, force: [x, y, z]}. In Links steht sie nicht.",
+    ],
+    "loads.picked": [
+      "Früchte pflücken",
+      "Nach dem Wachstum die Massen an den Spitzen abnehmen und zeigen, wie weit sich die Pflanze wieder hebt.",
     ],
     "loads.removed": [
       "Lasten abnehmen",
@@ -243,6 +287,42 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Gabelungen, die die Waagrechte suchen",
       "Ein mittelstarker Tropismus zur Waagrechten breitet die Pflanze wie einen Teller aus.",
     ],
+    "weeping-willow": [
+      "Trauerweide",
+      "Ihre Triebe wachsen weiter, lange nachdem sie sich nicht mehr halten können: Sie neigen sich über und hängen wie Seile.",
+    ],
+    "silver-birch": [
+      "Hängebirke",
+      "Schlanke Äste steigen steil auf; ihre dünnen Enden, schwer von Laub, nicken ringsum.",
+    ],
+    "scots-pine": [
+      "Waldkiefer",
+      "Quirle kräftiger Äste, jeder mit Nadeln in Büscheln an Enden, die sich aufrichten.",
+    ],
+    "norway-spruce": [
+      "Fichte",
+      "Alte Äste sinken unter ihrer Last, ihre Enden richten sich wieder auf: der Umriss einer Fichte.",
+    ],
+    apple: [
+      "Ein Apfelzweig im Frühling",
+      "Vor der Frucht steigt er mit vierzig Grad auf, und sein Holz wird dicker, wo es steht.",
+    ],
+    "apple-fruit": [
+      "Ein Apfelzweig mit Früchten",
+      "Derselbe Zweig, unter seinen Früchten gewachsen. Pflücken Sie sie: Er hebt sich wieder, doch weniger, als er sank, denn das Holz erinnert sich.",
+    ],
+    wheat: [
+      "Weizen im Wind",
+      "Ein hohler Halm mit reifer Ähre in einem Wind von 8 m/s. Der Widerstand folgt der Biegung: Versuchen Sie 15 m/s, und sehen Sie, wo der Halm bricht.",
+    ],
+    climber: [
+      "Ein kletternder Trieb",
+      "Ein Suchtrieb, der keinen Halt fand, wächst über die Länge hinaus, in der er stehen kann, neigt sich über und richtet seine Spitze wieder auf.",
+    ],
+    snowdrop: [
+      "Ein Schneeglöckchen",
+      "Der Stängel steht; was sich unter der Blüte biegt, ist sein dünnes Ende.",
+    ],
   },
   names: {
     axis: "Achse",
@@ -309,5 +389,8 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Abschnitt 3, mit halben Massen an beiden Enden eines Segments",
     "past the paper: three dimensions": "über die Veröffentlichung hinaus: drei Dimensionen",
     "section 5.2 in three dimensions": "Abschnitt 5.2 in drei Dimensionen",
+    "Hoerner 1965, cross-flow principle": "Hoerner 1965, Querströmungsprinzip",
+    "loads along the axis, as equation 9 has them": "Lasten entlang der Achse, wie in Gleichung 9",
+    chosen: "gewählt",
   },
 };

@@ -21,6 +21,14 @@ export const german: Dictionary = {
       "Nicht im Gleichgewicht: Dem Löser gingen die Iterationen aus ({0} des größten Drehmoments bleiben übrig).",
     "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
       "Zuletzt stand sie bei Schritt {0}; mit größerem Radius oder Elastizitätsmodul oder weniger Schwerkraft steht sie länger.",
+    "It would break first {0} from the base, at {1} times this stress.":
+      "Sie bräche zuerst {0} von der Basis, beim {1}-Fachen dieser Spannung.",
+    "It would break first at the base, at {0} times this stress.":
+      "Sie bräche zuerst an der Basis, beim {0}-Fachen dieser Spannung.",
+    "It breaks under this load, first {0} from the base; it is shown as if it held.":
+      "Unter dieser Last bricht sie, zuerst {0} von der Basis; gezeigt ist sie, als hielte sie.",
+    "It breaks under this load, first at the base; it is shown as if it held.":
+      "Unter dieser Last bricht sie, zuerst an der Basis; gezeigt ist sie, als hielte sie.",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "Nicht im Gleichgewicht: Die Zahlen wuchsen über alle Grenzen. Versuchen Sie mildere Werte.",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -84,7 +92,6 @@ export const german: Dictionary = {
     "All plates": "Alle Tafeln",
     Plates: "Tafeln",
     Default: "Voreinstellung",
-    Plate: "Tafel",
     "Figure {0}": "Abbildung {0}",
     "{0} Its default is taken instead.": "{0} Stattdessen gilt der voreingestellte Wert.",
     Spacebar: "Leertaste",
@@ -106,6 +113,12 @@ export const german: Dictionary = {
     Curvature: "Krümmung",
     Age: "Alter",
     Limbs: "Äste",
+    "Drag on a segment across the wind, with v_n its speed at right angles":
+      "Widerstand eines Segments quer zum Wind, v_n seine Geschwindigkeit im rechten Winkel",
+    "Fibre stress, below which the wood holds": "Randfaserspannung, unter der das Holz hält",
+    Plant: "Pflanze",
+    "Plants one knows": "Bekannte Pflanzen",
+    Bare: "Kahl",
     Model: "Modell",
     Plane: "Ebene",
     Space: "Raum",

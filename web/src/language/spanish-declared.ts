@@ -49,6 +49,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Razón del módulo de corte",
       "Módulo de corte entre módulo de Young, que resiste la torsión: GJ/EI de una sección redonda es el doble. La madera tiene de 0,06 a 0,12, el caucho 0,33.",
     ],
+    "material.modulusOfRupture": [
+      "Módulo de rotura",
+      "Tensión de fibra con la que la madera se rompe: la madera verde aguanta de 30 a 80 MPa, los brotes tiernos una décima parte.",
+    ],
     "tropism.elevation": [
       "Dirección preferida",
       "La dirección en la que el eje busca crecer, sobre la horizontal: 90 es recto hacia arriba, 0 horizontal, -90 recto hacia abajo.",
@@ -95,6 +99,10 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Cuántos ejes lleva el tallo cuando todos han empezado a crecer.",
     ],
     "arrangement.spacing": ["Distancia en el tallo", "Longitud de tallo entre un eje y el siguiente."],
+    "arrangement.trunk": [
+      "Tronco desnudo",
+      "Longitud de tallo desnudo abajo; por encima empieza la primera distancia.",
+    ],
     "arrangement.divergence": [
       "Ángulo de divergencia",
       "Giro en torno al tallo de un eje al siguiente; 137,5 es el ángulo áureo de la filotaxis en espiral, 180 hace dos filas.",
@@ -119,6 +127,38 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Masa en el ápice",
       "Un fruto o una flor en cada ápice, que se lleva desde el primer paso de crecimiento.",
     ],
+    "loads.foliage": [
+      "Follaje",
+      "Masa de las hojas por metro de madera joven, soportada en cada paso de crecimiento.",
+    ],
+    "loads.foliageAge": [
+      "Edad del follaje",
+      "Durante cuántos pasos de crecimiento un segmento lleva hojas: eso cuenta como madera joven.",
+    ],
+    "loads.foliageArea": [
+      "Área del follaje",
+      "Área de las hojas, de una cara, por masa: lo que encuentran el viento y la nieve. Las hojas anchas y frescas tienen de 3 a 6, las acículas de 1 a 2.",
+    ],
+    "loads.snow": [
+      "Nieve o lluvia",
+      "Masa que yace sobre la planta adulta, por área de su madera vista desde arriba y de sus hojas: 0,2 con lluvia, de 5 a 40 con nieve.",
+    ],
+    "loads.wind": [
+      "Viento",
+      "Velocidad de un viento constante sobre la planta adulta. Empuja la madera de través, según el cuadrado de la velocidad que le llega en ángulo recto, y las hojas en su propia dirección.",
+    ],
+    "loads.windAzimuth": [
+      "Dirección del viento",
+      "Hacia dónde sopla el viento, girado en torno a la vertical: 0 es hacia la derecha, 180 hacia la izquierda.",
+    ],
+    "loads.dragCoefficient": [
+      "Resistencia de la madera",
+      "Coeficiente de resistencia de la madera, referido a su diámetro; una varilla redonda tiene cerca de 1.",
+    ],
+    "loads.foliageDrag": [
+      "Resistencia del follaje",
+      "Coeficiente de resistencia de las hojas, referido a su área en aire quieto; se pliegan con el viento, así que es muy inferior al de una placa.",
+    ],
     "loads.tipForce": [
       "Fuerza en el ápice",
       "Una fuerza x, y, z sobre el ápice del eje principal, que actúa en cada paso de crecimiento sobre el ápice de esa edad. En torno a un tallo, x apunta hacia fuera.",
@@ -126,6 +166,10 @@ export const declared: Omit<Dictionary, "texts"> = {
     "loads.forces": [
       "Fuerzas en segmentos",
       "Fuerzas que tiran del extremo distal de segmentos tras el crecimiento, como hace un puntero: una lista de {segment, force: [x, y, z]}. No está en los enlaces.",
+    ],
+    "loads.picked": [
+      "Recoger la fruta",
+      "Tras el crecimiento, quitar las masas de los ápices y mostrar cuánto vuelve a alzarse la planta.",
     ],
     "loads.removed": [
       "Quitar las cargas",
@@ -246,6 +290,42 @@ export const declared: Omit<Dictionary, "texts"> = {
       "Horquillas que buscan la horizontal",
       "Un tropismo de fuerza media hacia la horizontal extiende la planta como un plato.",
     ],
+    "weeping-willow": [
+      "Sauce llorón",
+      "Sus ramas siguen creciendo mucho después de poder sostenerse: se arquean y cuelgan como cuerdas.",
+    ],
+    "silver-birch": [
+      "Abedul péndulo",
+      "Ramas esbeltas suben empinadas; sus extremos finos, cargados de hojas, cabecean alrededor.",
+    ],
+    "scots-pine": [
+      "Pino silvestre",
+      "Verticilos de ramas robustas, cada una con sus acículas en penachos en extremos que se alzan.",
+    ],
+    "norway-spruce": [
+      "Pícea",
+      "Las ramas viejas ceden bajo lo que llevan, sus extremos vuelven a alzarse: la silueta de una pícea.",
+    ],
+    apple: [
+      "Una rama de manzano en primavera",
+      "Antes del fruto sube a cuarenta grados, y su madera engrosa donde está.",
+    ],
+    "apple-fruit": [
+      "Una rama de manzano con fruta",
+      "La misma rama, crecida bajo su fruta. Recójala: vuelve a alzarse, pero menos de lo que bajó, pues la madera recuerda.",
+    ],
+    wheat: [
+      "Trigo al viento",
+      "Una caña hueca con espiga madura en un viento de 8 m/s. La resistencia sigue la flexión: pruebe 15 m/s y vea dónde se rompe la caña.",
+    ],
+    climber: [
+      "Un brote trepador",
+      "Un brote buscador que no halló apoyo crece más allá de la longitud con que puede estar de pie, se arquea y vuelve a alzar su ápice.",
+    ],
+    snowdrop: [
+      "Una campanilla de invierno",
+      "El tallo se mantiene en pie; lo que se dobla bajo la flor es su extremo fino.",
+    ],
   },
   names: {
     axis: "Eje",
@@ -312,5 +392,8 @@ export const declared: Omit<Dictionary, "texts"> = {
       "sección 3, con medias masas en ambos extremos de un segmento",
     "past the paper: three dimensions": "más allá del artículo: tres dimensiones",
     "section 5.2 in three dimensions": "sección 5.2 en tres dimensiones",
+    "Hoerner 1965, cross-flow principle": "Hoerner 1965, principio del flujo transversal",
+    "loads along the axis, as equation 9 has them": "cargas a lo largo del eje, como en la ecuación 9",
+    chosen: "elegido",
   },
 };

@@ -19,6 +19,14 @@ export const spanish: Dictionary = {
       "Sin equilibrio: al método se le acabaron las iteraciones (queda {0} del mayor par).",
     "It last stood at step {0}; a larger radius or Young's modulus, or less gravity, lets it stand longer.":
       "Aún se sostenía en el paso {0}; con mayor radio o módulo de Young, o con menos gravedad, se sostiene más tiempo.",
+    "It would break first {0} from the base, at {1} times this stress.":
+      "Se rompería primero a {0} de la base, con {1} veces esta tensión.",
+    "It would break first at the base, at {0} times this stress.":
+      "Se rompería primero en la base, con {0} veces esta tensión.",
+    "It breaks under this load, first {0} from the base; it is shown as if it held.":
+      "Se rompe con esta carga, primero a {0} de la base; se muestra como si aguantara.",
+    "It breaks under this load, first at the base; it is shown as if it held.":
+      "Se rompe con esta carga, primero en la base; se muestra como si aguantara.",
     "Not in equilibrium: the numbers grew beyond all bounds. Try milder values.":
       "Sin equilibrio: los números crecieron sin límite. Pruebe valores más suaves.",
     "Not in equilibrium: the solver ran out of time ({0} of the largest torque is left over).":
@@ -82,7 +90,6 @@ export const spanish: Dictionary = {
     "All plates": "Todas las láminas",
     Plates: "Láminas",
     Default: "Por defecto",
-    Plate: "Lámina",
     "Figure {0}": "Figura {0}",
     "{0} Its default is taken instead.": "{0} En su lugar vale el valor por defecto.",
     Spacebar: "Espacio",
@@ -104,6 +111,12 @@ export const spanish: Dictionary = {
     Curvature: "Curvatura",
     Age: "Edad",
     Limbs: "Ramas",
+    "Drag on a segment across the wind, with v_n its speed at right angles":
+      "Resistencia de un segmento de través al viento, con v_n su velocidad en ángulo recto",
+    "Fibre stress, below which the wood holds": "Tensión de fibra, por debajo de la cual la madera aguanta",
+    Plant: "Planta",
+    "Plants one knows": "Plantas conocidas",
+    Bare: "Desnudo",
     Model: "Modelo",
     Plane: "Plano",
     Space: "Espacio",
