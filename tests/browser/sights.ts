@@ -30,7 +30,9 @@ export async function openDialog(page: Page, tag: Tag, name: (typeof dialogs)[nu
 /** Opens all that can be opened: the study, too, which comes after the plant. */
 export async function openAll(page: Page): Promise<void> {
   await page.locator("details.measure").waitFor();
-  for (const summary of await page.locator("summary").all()) await summary.click();
+  // One after another: what opens may hold others.
+  const closed = page.locator("details:not([open]) > summary");
+  while ((await closed.count()) > 0) await closed.first().click();
 }
 
 /** Opens everything, and enters what is refused. */
