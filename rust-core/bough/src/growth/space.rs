@@ -13,7 +13,7 @@ use super::tropism::{elasticity, turn_towards};
 use crate::mechanics::{GROUND, Outcome, Report, Settings, Status};
 use crate::params::{Params, PointForce, is_spatial};
 use crate::plant::{Plant, largest_principal_stress};
-use crate::space::{Balance, NEUTRAL, Rods, Shape, direction, exp, hold, log, settle};
+use crate::space::{Balance, Damping, NEUTRAL, Rods, Shape, direction, exp, hold, log, settle};
 
 /// The normal of the plane of a plant that lies in one and is computed in space all the same.
 pub(super) fn plane_of(params: &Params) -> Option<DVec3> {
@@ -114,7 +114,7 @@ impl Growth {
         let rods = self.rods_in_space();
         let mut balance = Balance::default();
         balance.orient(rods, shape);
-        balance.weigh(rods, shape, force, 0.0);
+        balance.weigh(rods, shape, force, Damping::default());
         if report.status == Status::Converged {
             report.residual = balance.relative_residual();
             // Of a neutral direction rounding would decide.

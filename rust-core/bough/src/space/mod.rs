@@ -8,12 +8,14 @@ mod buckling;
 #[cfg(test)]
 mod derivatives;
 mod descent;
+mod element;
 mod equilibrium;
 mod hold;
+mod joints;
 mod rotation;
 mod shape;
 
-pub use balance::Balance;
+pub use balance::{Balance, Damping};
 pub use buckling::load_over_critical;
 pub use equilibrium::{NEUTRAL, Workspace, settle};
 pub use hold::{Held, hold};

@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use glam::{DQuat, DVec3};
 
-use super::balance::Spring;
+use super::element::{LANES, Spring, put};
+use super::joints::Joints;
 use super::rotation::{exp, log, normalized};
 use crate::mechanics::{GROUND, Linkage};
 
@@ -103,11 +104,24 @@ impl Shape {
 
     /// Writes the orientation of every rod.
     pub fn orientations(&self, rods: Rods, orientation: &mut Vec<DQuat>) {
+        self.orient(rods, &mut Joints::default(), orientation);
+    }
+
+    pub(super) fn orient(&self, rods: Rods, joints: &mut Joints, orientation: &mut Vec<DQuat>) {
         orientation.clear();
-        for (rod, &parent) in rods.parent.iter().enumerate() {
-            let joint = self.joint(rod);
-            let turned = if parent == GROUND { joint } else { orientation[parent as usize] * joint };
-            orientation.push(normalized(turned));
+        for (first, deviations) in (0..).step_by(LANES).zip(self.deviation.chunks(LANES)) {
+            for (lane, deviation) in deviations.iter().enumerate() {
+                put(&mut joints.deviation, lane, *deviation);
+            }
+            joints.rotate();
+            for lane in 0..deviations.len() {
+                let joint = self.rest[first + lane] * joints.rotation(lane);
+                let parent = rods.parent[first + lane];
+                orientation.push(normalized(match parent {
+                    GROUND => joint,
+                    parent => orientation[parent as usize] * joint,
+                }));
+            }
         }
     }
 }
