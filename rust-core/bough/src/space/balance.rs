@@ -24,13 +24,13 @@ use crate::mechanics::GROUND;
 struct Block {
     /// Stiffness of what is beyond, later the first six numbers of the gain.
     beyond: Symmetric,
-    /// Torque that the rods beyond pass on, later the last three numbers of the gain.
+    /// What their steps leave to be done, later the last three numbers of the gain.
     carried: DVec3,
-    /// External torque, later the rod's own step.
-    torque: DVec3,
+    /// Later the rod's own step.
+    step: DVec3,
 }
 
-const EMPTY: Block = Block { beyond: [0.0; 6], carried: DVec3::ZERO, torque: DVec3::ZERO };
+const EMPTY: Block = Block { beyond: [0.0; 6], carried: DVec3::ZERO, step: DVec3::ZERO };
 
 /// Torques at one state, and the elimination of the Hessian there. Buffers are kept between uses.
 #[derive(Clone, Debug, Default)]
@@ -38,8 +38,8 @@ pub struct Balance {
     /// Orientation of each rod.
     pub orientation: Vec<DQuat>,
     block: Vec<Block>,
-    /// By how much the last step turned each rod.
-    turn: Vec<DVec3>,
+    /// What is passed along the tree: torques of the loads down to the bearers, turns of a step up from them.
+    passed: Vec<DVec3>,
     /// One over the pivot of each rod, if it is kept for more solutions than one.
     pivot: Vec<Symmetric>,
     pub(super) keeps_pivots: bool,
@@ -92,15 +92,27 @@ impl Balance {
     /// Torques, energy and the eliminated Hessian at the state last oriented. `force` is the sum of all forces at the distal end of
     /// each rod and beyond. O(n).
     pub fn weigh(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], damping: Damping) {
-        let count = rods.len();
         self.block.clear();
-        self.block.resize(count, EMPTY);
+        self.block.resize(rods.len(), EMPTY);
+        self.pass_down(rods, shape, force, damping, true);
+    }
+
+    /// Torques and energy alone, as [`Balance::weigh`]; the Hessian stays the one eliminated last. O(n).
+    pub fn look(&mut self, rods: Rods, shape: &Shape, force: &[DVec3]) {
+        self.pass_down(rods, shape, force, Damping::default(), false);
+    }
+
+    fn pass_down(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], damping: Damping, eliminates: bool) {
+        let count = rods.len();
+        self.passed.clear();
+        self.passed.resize(count, DVec3::ZERO);
         self.pivot.resize(if self.keeps_pivots { count } else { 0 }, [0.0; 6]);
         let (mut energy, mut size) = (0.0, 0.0);
         let (mut most_torque, mut most_residual, mut most_bent, mut loads) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
         let (mut unstable, mut unstable_sideways) = (0, 0);
         let (parent, stiffness) = (&rods.parent[..count], &rods.stiffness[..count]);
         let (orientation, block) = (&self.orientation[..count], &mut self.block[..count]);
+        let passed = &mut self.passed[..count];
         let elements = &mut self.elements;
         for rod in (0..count).rev() {
             let lane = rod % LANES;
@@ -112,8 +124,10 @@ impl Balance {
             energy += stored + lifted;
             size += stored + lifted.abs();
             loads += elements.reach[lane];
-            let Block { mut beyond, carried, torque } = block[rod];
-            let torque = torque + vector(&elements.torque, lane);
+            let torque = passed[rod] + vector(&elements.torque, lane);
+            if parent[rod] != GROUND {
+                passed[parent[rod] as usize] += torque;
+            }
             let residual = moment - torque;
             let (torque_square, residual_square) = (torque.length_squared(), residual.length_squared());
             most_torque = if torque_square > most_torque { torque_square } else { most_torque };
@@ -121,6 +135,10 @@ impl Balance {
             most_residual = if residual_square <= most_residual { most_residual } else { residual_square };
             let moment_square = moment.length_squared();
             most_bent = if moment_square > most_bent { moment_square } else { most_bent };
+            if !eliminates {
+                continue;
+            }
+            let Block { mut beyond, carried, .. } = block[rod];
             for (beyond, load) in beyond.iter_mut().zip(&elements.load) {
                 *beyond += load[lane];
             }
@@ -172,12 +190,11 @@ impl Balance {
                 below.beyond[5] += beyond[5] - coupling[1].dot(gain[2]);
                 let passed = DVec3::new(coupling[0].dot(step), coupling[1].dot(step), coupling[2].dot(step));
                 below.carried += carried - passed;
-                below.torque += torque;
             }
             block[rod] = Block {
                 beyond: [gain[0].x, gain[0].y, gain[0].z, gain[1].x, gain[1].y, gain[1].z],
                 carried: gain[2],
-                torque: step,
+                step,
             };
         }
         self.energy = energy;
@@ -186,8 +203,10 @@ impl Balance {
         self.largest_residual = libm::sqrt(most_residual);
         self.reach = loads;
         self.round_off = 8.0 * f64::EPSILON * (libm::sqrt(most_bent) + loads);
-        self.unstable = unstable;
-        self.unstable_sideways = unstable_sideways;
+        if eliminates {
+            self.unstable = unstable;
+            self.unstable_sideways = unstable_sideways;
+        }
     }
 
     /// Newton's step from the state last weighed, `scale` times: adds it to the deviations, turns the orientations along,
@@ -195,9 +214,9 @@ impl Balance {
     /// that it bears step as fits that. O(n).
     pub fn advance(&mut self, rods: Rods, shape: &mut Shape, scale: f64, limit: f64) -> f64 {
         let count = rods.len();
-        self.turn.resize(count, DVec3::ZERO);
+        self.passed.resize(count, DVec3::ZERO);
         let (parent, rest) = (&rods.parent[..count], &shape.rest[..count]);
-        let (block, turn) = (&self.block[..count], &mut self.turn[..count]);
+        let (block, turn) = (&self.block[..count], &mut self.passed[..count]);
         let (orientation, deviation) = (&mut self.orientation[..count], &mut shape.deviation[..count]);
         let joints = &mut self.joints;
         let mut largest = 0.0_f64;
@@ -205,7 +224,7 @@ impl Balance {
             let here = first..count.min(first + LANES);
             for (lane, rod) in here.clone().enumerate() {
                 let below = if parent[rod] == GROUND { DVec3::ZERO } else { turn[parent[rod] as usize] };
-                let step = scale * block[rod].torque - block[rod].gain(below);
+                let step = scale * block[rod].step - block[rod].gain(below);
                 let mut step = rods.plane.map_or(step, |normal| normal * normal.dot(step));
                 let mut own = below + step;
                 let mut square = own.length_squared();
@@ -264,7 +283,7 @@ impl Balance {
 
     /// Newton's own step of a rod, before its bearer's turn.
     pub(super) fn step_mut(&mut self, rod: usize) -> &mut DVec3 {
-        &mut self.block[rod].torque
+        &mut self.block[rod].step
     }
 
     /// Largest torque left over, relative to the largest external torque; 0 where no load bends anything, as an upright stem's.

@@ -16,6 +16,8 @@ use crate::mechanics::{Outcome, Settings, Status};
 pub(super) const TRUSTED_TURN: f64 = 1.0;
 /// How far the load is raised at once: a little less than what is trusted.
 const FITTING_TURN: f64 = 0.8;
+/// Turn in one step after which the Hessian is not eliminated again unless more steps are due, radians.
+const NEAR: f64 = 0.01;
 /// Newton converges quadratically from a trusted start, so more iterations than this mean that it was not one.
 const TRUSTED_ITERATIONS: u32 = 12;
 /// Smallest part of a load that is tried before the branch counts as ended.
@@ -80,11 +82,17 @@ impl Workspace {
         limit: f64,
         outcome: &mut Outcome,
     ) -> Attempt {
-        let (mut turned, mut previous) = (0.0, f64::INFINITY);
+        let (mut turned, mut last, mut previous) = (0.0, f64::INFINITY, f64::INFINITY);
         let mut before = None;
         self.balance.orient(rods, shape);
         for _ in 0..=TRUSTED_ITERATIONS {
-            self.balance.weigh(rods, shape, force, NEUTRAL);
+            // So near to a state whose Hessian is definite the torques are enough to see.
+            let is_near = last <= NEAR;
+            if is_near {
+                self.balance.look(rods, shape, force);
+            } else {
+                self.balance.weigh(rods, shape, force, NEUTRAL);
+            }
             let (energy, size) = (self.balance.energy, self.balance.energy_size);
             if before.is_some_and(|before| energy > before + energy_rounding(size, rods.len())) {
                 break;
@@ -98,12 +106,16 @@ impl Workspace {
             if !is_guessed && is_balanced(&self.balance, tolerance, previous) {
                 return Attempt::Converged(turned);
             }
+            if is_near {
+                self.balance.weigh(rods, shape, force, NEUTRAL);
+            }
             if self.balance.unstable > 0 {
                 break;
             }
             before = Some(energy);
             previous = self.balance.largest_residual;
-            turned += self.balance.advance(rods, shape, 1.0, f64::INFINITY);
+            last = self.balance.advance(rods, shape, 1.0, f64::INFINITY);
+            turned += last;
             outcome.iterations += 1;
             if turned.is_nan() || turned > limit {
                 break;

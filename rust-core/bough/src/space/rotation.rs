@@ -123,6 +123,21 @@ fn composed_by(first: DVec3, then: DVec3, curving: Curving) -> DVec3 {
     first + then + once * 0.5 + curved - then.cross(once) * (1.0 / 12.0)
 }
 
+/// The modified Rodrigues parameters of a rotation: its axis times the tangent of a quarter of its angle, at most 1 long. Three
+/// numbers, as the rotation vector, without its arc tangent.
+pub fn rodrigues(rotation: DQuat) -> DVec3 {
+    let DQuat { x, y, z, w } = rotation;
+    DVec3::new(x, y, z) * (if w < 0.0 { -1.0 } else { 1.0 } / (1.0 + w.abs()))
+}
+
+/// The rotation of these modified Rodrigues parameters.
+pub fn from_rodrigues(parameters: DVec3) -> DQuat {
+    let square = parameters.length_squared();
+    let inverse = 1.0 / (1.0 + square);
+    let DVec3 { x, y, z } = parameters * (2.0 * inverse);
+    DQuat::from_xyzw(x, y, z, (1.0 - square) * inverse)
+}
+
 /// A product of unit quaternions, with the length that rounding took brought back: exact but for the square of that.
 #[inline]
 pub fn normalized(rotation: DQuat) -> DQuat {
@@ -221,6 +236,20 @@ mod tests {
             // Relative to the vector: small joint rotations keep their digits.
             assert!((log(rotation) - vector).length() <= 8.0 * f64::EPSILON * vector.length(), "{vector}");
             assert!((log(-rotation) - vector).length() <= 8.0 * f64::EPSILON * vector.length(), "{vector}");
+        }
+    }
+
+    #[test]
+    fn rodrigues_parameters_are_undone() {
+        for vector in vectors() {
+            let (rotation, longer) = (exp(vector), exp(-vector * (2.0 * PI / vector.length() - 1.0)));
+            for rotation in [rotation, -rotation, longer] {
+                if rotation.is_finite() {
+                    let (parameters, undone) = (rodrigues(rotation), from_rodrigues(rodrigues(rotation)));
+                    assert!(parameters.length() <= 1.0 + f64::EPSILON);
+                    assert!((log(undone) - log(rotation)).length() <= 8.0 * f64::EPSILON * vector.length());
+                }
+            }
         }
     }
 
