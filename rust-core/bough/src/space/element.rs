@@ -94,6 +94,12 @@ pub(super) fn vector(lanes: &[Lanes; 3], lane: usize) -> DVec3 {
     DVec3::new(lanes[0][lane], lanes[1][lane], lanes[2][lane])
 }
 
+/// The quaternion in one lane.
+#[inline(always)]
+pub(super) fn quaternion(lanes: &[Lanes; 4], lane: usize) -> DQuat {
+    DQuat::from_xyzw(lanes[0][lane], lanes[1][lane], lanes[2][lane], lanes[3][lane])
+}
+
 #[inline(always)]
 pub(super) fn put<const N: usize>(lanes: &mut [Lanes; N], lane: usize, numbers: [f64; N]) {
     for (lanes, number) in lanes.iter_mut().zip(numbers) {
@@ -146,8 +152,7 @@ impl Elements {
     #[inline(never)]
     fn compute_all(&mut self, twist_ratio: f64, Damping { shift, caution }: Damping) {
         for lane in 0..LANES {
-            let [x, y, z, w] = [0, 1, 2, 3].map(|part| self.orientation[part][lane]);
-            let turned = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w));
+            let turned = DMat3::from_quat(quaternion(&self.orientation, lane));
             let bent = turned * vector(&self.deviation, lane);
             let wood = turned * vector(&self.wood, lane);
             let curving = Curving { first: self.curving[0][lane], second: self.curving[1][lane] };

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::element::{LANES, Lanes, put, vector};
+use super::element::{LANES, Lanes, put, quaternion, vector};
 use super::rotation::{self, composed, exp};
 
 /// Joints side by side, by lanes as [`super::element::Elements`].
@@ -24,8 +24,7 @@ impl Joints {
     /// One joint's.
     #[inline(always)]
     pub(super) fn rotation(&self, lane: usize) -> DQuat {
-        let [x, y, z, w] = [0, 1, 2, 3].map(|part| self.rotation[part][lane]);
-        DQuat::from_xyzw(x, y, z, w)
+        quaternion(&self.rotation, lane)
     }
 
     /// The rotations of the deviations.
@@ -62,8 +61,7 @@ impl Joints {
         let (below, step) = (vector(&self.below, lane), vector(&self.step, lane));
         let once = below.cross(step);
         let joint = step - 0.5 * once + below.cross(once) * (1.0 / 6.0);
-        let [x, y, z, w] = [0, 1, 2, 3].map(|part| self.orientation[part][lane]);
-        DQuat::from_xyzw(-x, -y, -z, w) * joint
+        quaternion(&self.orientation, lane).conjugate() * joint
     }
 
     #[inline(never)]
