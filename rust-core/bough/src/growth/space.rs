@@ -13,7 +13,9 @@ use super::tropism::{elasticity, turn_towards};
 use crate::mechanics::{GROUND, Outcome, Report, Settings, Status};
 use crate::params::{Params, PointForce, is_spatial};
 use crate::plant::{Plant, largest_principal_stress};
-use crate::space::{Balance, Damping, NEUTRAL, Rods, Shape, direction, exp, from_rodrigues, hold, log, rodrigues, settle};
+use crate::space::{
+    Balance, Damping, NEUTRAL, Rods, Shape, direction, exp, from_rodrigues, hold, log, rodrigues, settle,
+};
 
 /// The normal of the plane of a plant that lies in one and is computed in space all the same.
 pub(super) fn plane_of(params: &Params) -> Option<DVec3> {
