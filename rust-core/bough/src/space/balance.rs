@@ -93,7 +93,6 @@ impl Balance {
     /// each rod and beyond. O(n).
     pub fn weigh(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], damping: Damping) {
         self.block.clear();
-        self.block.resize(rods.len(), EMPTY);
         self.pass_down(rods, shape, force, damping, true);
     }
 
@@ -104,6 +103,7 @@ impl Balance {
 
     fn pass_down(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], damping: Damping, eliminates: bool) {
         let count = rods.len();
+        self.block.resize(count, EMPTY);
         self.passed.clear();
         self.passed.resize(count, DVec3::ZERO);
         self.pivot.resize(if self.keeps_pivots { count } else { 0 }, [0.0; 6]);
