@@ -16,6 +16,7 @@ export const kernels = {
   relaxation: 7,
   paper: 8,
   treeSolve: 9,
+  iterationInSpace: 10,
 };
 
 /**

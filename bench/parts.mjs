@@ -1,7 +1,7 @@
 // The parts of the bench, in the order of its table.
 
 import { costRows } from "./rows/cost.mjs";
-import { growthRows, iterationRows, staticRows, treeRows } from "./rows/kernels.mjs";
+import { growthRows, iterationRows, spaceRows, staticRows, treeRows } from "./rows/kernels.mjs";
 import { meshRows } from "./rows/mesh.mjs";
 import { pageRows, sizeRows } from "./rows/page.mjs";
 import { peerRows } from "./rows/peers.mjs";
@@ -10,6 +10,7 @@ import { relaxationRows } from "./rows/relaxation.mjs";
 /** @type {readonly { name: string, rows: (bench: import("./bench.mjs").Bench) => Promise<void> }[]} */
 export const parts = [
   { name: "iteration", rows: iterationRows },
+  { name: "space", rows: spaceRows },
   { name: "static", rows: staticRows },
   { name: "growth", rows: growthRows },
   { name: "cost", rows: costRows },

@@ -4,28 +4,47 @@ import { kernels } from "../hosts.mjs";
 import { interleaved } from "../samples.mjs";
 
 /** @param {import("../bench.mjs").Bench} bench */
-export async function iterationRows({ table, effort, hosts, quick }) {
-  table.heading("One Newton iteration, over the floor loop (one sine, one cosine, ten flops a segment)");
+export async function iterationRows(bench) {
+  bench.table.heading(
+    "One Newton iteration, over the floor loop (one sine, one cosine, ten flops a segment)",
+  );
+  const sizes = bench.quick ? [20, 1000] : [20, 100, 1000, 10_000, 100_000];
+  const goals = { floor: "<= 2.5", native: "<= 1.2" };
+  await overFloor(bench, { what: "Newton iteration", kernel: kernels.iteration, sizes, goals });
+}
+
+/** @param {import("../bench.mjs").Bench} bench */
+export async function spaceRows(bench) {
+  bench.table.heading("One Newton iteration of a tree in space, over the same floor loop");
+  const sizes = bench.quick ? [1000] : [1000, 10_000, 100_000];
+  const goals = { floor: "<= 25", native: "<= 1.5" };
+  await overFloor(bench, { what: "iteration in space", kernel: kernels.iterationInSpace, sizes, goals });
+}
+
+/**
+ * What one iteration takes a segment in all hosts. The goals are for 1000 segments.
+ * @param {import("../bench.mjs").Bench} bench
+ * @param {{ what: string, kernel: number, sizes: readonly number[], goals: { floor: string, native: string } }} row
+ */
+async function overFloor({ table, effort, hosts }, { what, kernel, sizes, goals }) {
   const [native] = hosts;
-  for (const size of quick ? [20, 1000] : [20, 100, 1000, 10_000, 100_000]) {
-    const timed = hosts.flatMap((host) => [
-      timer(host, kernels.floor, size),
-      timer(host, kernels.iteration, size),
-    ]);
-    const samples = (await interleaved(timed, effort)).map(perSegment(size));
+  for (const size of sizes) {
+    const timers = hosts.flatMap((host) => [timer(host, kernels.floor, size), timer(host, kernel, size)]);
+    const times = await interleaved(timers, effort);
+    const samples = times.map((seconds, i) => perSegment(timers[i]?.found.segments ?? size)(seconds));
     for (const [i, host] of hosts.entries()) {
       const [floor = [], iteration = []] = samples.slice(2 * i, 2 * i + 2);
       const here = { who: host.name, unit: "s" };
       table.row({ what: `floor loop, ${size}, a segment`, samples: floor, ...here });
-      const goals = size === 1000 && host.name !== "wasm, Chromium" ? { target: "<= 2.5" } : {};
-      const over = [{ name: "floor", samples: floor, ...goals }];
+      const target = size === 1000 && host.name !== "wasm, Chromium" ? { target: goals.floor } : {};
+      const over = [{ name: "floor", samples: floor, ...target }];
       const natively = {
         name: "native",
         samples: samples[1] ?? [],
-        ...(size === 1000 ? { target: "<= 1.2" } : {}),
+        ...(size === 1000 ? { target: goals.native } : {}),
       };
       if (host !== native) over.push(natively);
-      table.row({ what: `Newton iteration, ${size}, a segment`, samples: iteration, ...here, over });
+      table.row({ what: `${what}, ${size}, a segment`, samples: iteration, ...here, over });
     }
   }
 }

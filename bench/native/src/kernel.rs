@@ -7,12 +7,16 @@ use std::rc::Rc;
 use bough::grow;
 use bough::mechanics::{Elimination, Loads, Settings, Workspace, hang, settle};
 use bough::params::{Params, Thickening};
+use bough::space::{self, Balance, NEUTRAL, Rods};
 
 use crate::euler::Euler;
 use crate::{case, floor, tree};
 
 /// Residual that counts as solved where peers are compared, relative to the largest torque.
 const TOLERANCE: f64 = 1e-6;
+
+/// `GJ / EI` of round wood whose G is a tenth of its E.
+const TWIST_RATIO: f64 = 0.2;
 
 /// Something to time.
 pub struct Kernel {
@@ -44,6 +48,7 @@ pub fn kernel(which: u32, size: usize) -> Option<Kernel> {
         7 => whole_call(&case::relaxation(size)),
         8 => one_damping(size),
         9 => tree_solve(size),
+        10 => iteration_in_space(size),
         _ => return None,
     })
 }
@@ -98,6 +103,24 @@ fn tree_solve(segments: usize) -> Kernel {
         linkage.deviation.fill(0.0);
         let (none, settings) = (Loads::none(0), Settings { tolerance: TOLERANCE });
         settle(black_box(&mut linkage), &none, black_box(&loads), &[], settings, &mut workspace).iterations
+    };
+    Kernel::new(segments, round)
+}
+
+/// As [`newton_iteration`], of a tree in space whose forks stand crosswise.
+fn iteration_in_space(segments: usize) -> Kernel {
+    let (linkage, mut shape, force) = tree::tree_in_space(segments);
+    let segments = linkage.len();
+    let (settings, mut workspace) = (Settings { tolerance: TOLERANCE }, space::Workspace::default());
+    let rods = Rods::new(&linkage, TWIST_RATIO);
+    space::settle(rods, &mut shape, &[], &force, &[], settings, &mut workspace);
+    let mut balance = Balance::default();
+    balance.orient(rods, &shape);
+    let round = move || {
+        let rods = Rods::new(black_box(&linkage), TWIST_RATIO);
+        balance.weigh(rods, &shape, black_box(&force), NEUTRAL);
+        black_box(balance.advance(rods, black_box(&mut shape), 1.0, f64::INFINITY));
+        1
     };
     Kernel::new(segments, round)
 }

@@ -1,6 +1,8 @@
 //! A tree for the solver alone: axes that fork, generation after generation, so that what is far from the ground is far in memory.
 
 use bough::mechanics::{GROUND, Linkage, Loads};
+use bough::space::{Shape, exp};
+use glam::{DQuat, DVec3};
 
 /// Rods of an axis.
 const RODS: usize = 12;
@@ -15,6 +17,23 @@ const MODULUS: f64 = 5e9;
 const WEIGHT: f64 = 9_810.0;
 /// Of the first axis above the horizontal, radians.
 const ELEVATION: f64 = 1.2;
+
+/// Each fork of the tree in space is turned about its parent by this, radians.
+const ROLL: f64 = 1.3;
+
+/// The same tree with its forks turned, at rest, and the forces beyond each rod.
+pub fn tree_in_space(rods: usize) -> (Linkage, Shape, Vec<DVec3>) {
+    let (linkage, loads) = tree(rods);
+    let mut shape = Shape::default();
+    for (rod, rest) in linkage.rest.iter().enumerate() {
+        let start = if rod == 0 { exp(DVec3::Z * ELEVATION) } else { exp(DVec3::Z * *rest) };
+        let roll = if *rest == 0.0 { DQuat::IDENTITY } else { exp(DVec3::X * ROLL) };
+        shape.push(roll * start, DQuat::IDENTITY);
+    }
+    // Gathered already, in the frame of the base direction; of a weight only the size is needed.
+    let weight = loads.x.iter().zip(&loads.y).map(|(x, y)| DVec3::NEG_Y * x.hypot(*y));
+    (linkage, shape, weight.collect())
+}
 
 /// A tree of about so many rods, at rest.
 pub fn tree(rods: usize) -> (Linkage, Loads) {

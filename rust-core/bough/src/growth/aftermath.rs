@@ -239,7 +239,7 @@ impl Stance for Shape {
         let rods = growth.rods_in_space();
         let mut balance = Balance::default();
         balance.orient(rods, self);
-        balance.weigh(rods, self, loads, 0.0);
+        balance.look(rods, self, loads);
         (balance.largest_torque, balance.relative_residual())
     }
 

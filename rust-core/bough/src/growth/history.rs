@@ -230,7 +230,6 @@ impl History {
         while self.growth.steps_taken() < step {
             let (state, laid) = (self.growth.state.clone(), self.growth.laid.len());
             let workspace = self.growth.workspace.clone();
-            let in_space = self.growth.workspace_in_space.clone();
             let taken = self.growth.steps_taken();
             self.growth.workspace.allowance = Some(left);
             let mut steps_left = left;
@@ -243,7 +242,6 @@ impl History {
             if self.growth.steps_taken() <= taken {
                 self.growth.return_to(&state, laid);
                 self.growth.workspace = workspace;
-                self.growth.workspace_in_space = in_space;
                 self.is_stopped = true;
                 return false;
             }

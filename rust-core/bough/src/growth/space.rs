@@ -13,7 +13,9 @@ use super::tropism::{elasticity, turn_towards};
 use crate::mechanics::{GROUND, Outcome, Report, Settings, Status};
 use crate::params::{Params, PointForce, is_spatial};
 use crate::plant::{Plant, largest_principal_stress};
-use crate::space::{Balance, NEUTRAL, Rods, Shape, direction, exp, hold, log, settle};
+use crate::space::{
+    Balance, Damping, NEUTRAL, Rods, Shape, direction, exp, from_rodrigues, hold, log, rodrigues, settle,
+};
 
 /// The normal of the plane of a plant that lies in one and is computed in space all the same.
 pub(super) fn plane_of(params: &Params) -> Option<DVec3> {
@@ -76,21 +78,28 @@ impl Growth {
     }
 
     /// As [`Growth::thicken`]: stiffness grows, the deviation shrinks, and the rest rotation takes up the difference, so that
-    /// neither the moment nor the shape changes.
+    /// neither the moment nor the shape changes. Keeps the rotations at which the pipes are laid where every step is one.
     pub(super) fn thicken_in_space(&mut self) {
+        let is_kept = self.is_exact();
         let State { linkage, shape, pipes, step, .. } = &mut self.state;
-        for rod in 0..linkage.len() {
+        let thickened = |rod: usize| {
             let number = pipes.number(rod, *step);
-            let thickened = number * number * pipes.stiffness[rod];
-            shape.yield_to(rod, 1.0 - linkage.stiffness[rod] / thickened);
-            linkage.stiffness[rod] = thickened;
+            number * number * pipes.stiffness[rod]
+        };
+        shape.yield_to(
+            |rod| 1.0 - linkage.stiffness[rod] / thickened(rod),
+            |joint| self.laid.extend(is_kept.then(|| rodrigues(joint).to_array()).iter().flatten()),
+        );
+        for (rod, stiffness) in linkage.stiffness.iter_mut().enumerate() {
+            *stiffness = thickened(rod);
         }
     }
 
-    /// Keeps the rest rotation of the pipes that were laid in this step.
+    /// Keeps the rest rotation of the pipes that were laid in this step in new wood.
     pub(super) fn record_pipes_in_space(&mut self) {
-        let State { linkage, shape, .. } = &self.state;
-        let joints = (0..linkage.len()).map(|rod| log(shape.joint(rod)).to_array());
+        let State { shape, wood, step, .. } = &self.state;
+        let old = wood.partition_point(|wood| wood.birth < *step);
+        let joints = shape.rest[old..].iter().map(|rest| rodrigues(*rest).to_array());
         self.laid.extend(joints.flatten());
     }
 
@@ -114,7 +123,7 @@ impl Growth {
         let rods = self.rods_in_space();
         let mut balance = Balance::default();
         balance.orient(rods, shape);
-        balance.weigh(rods, shape, force, 0.0);
+        balance.weigh(rods, shape, force, Damping::default());
         if report.status == Status::Converged {
             report.residual = balance.relative_residual();
             // Of a neutral direction rounding would decide.
@@ -188,7 +197,7 @@ impl Growth {
             let Some((rest, later)) = laid.split_at_checked(3 * rods) else { break };
             laid = later;
             for (rod, rest) in rest.chunks_exact(3).enumerate() {
-                let deviation = log(exp(DVec3::from_slice(rest)).conjugate() * joint[rod]);
+                let deviation = log(from_rodrigues(DVec3::from_slice(rest)).conjugate() * joint[rod]);
                 let bent = bend(rod, deviation);
                 let strained = (f64::from(step) - self.state.pipes.since[rod]) * bent * bent;
                 largest[rod] = if strained > largest[rod] { strained } else { largest[rod] };

@@ -65,7 +65,7 @@ pub struct Growth {
     pub(super) plane: Option<DVec3>,
     pub(super) state: State,
     /// Rest angle of every pipe that was laid, step after step: in step s one number for each rod of then; in space three,
-    /// its rotation vector.
+    /// the modified Rodrigues parameters of its rotation.
     pub(super) laid: Vec<f64>,
     /// Where new wood turns: direction of every rod when the step began, in the frame of the base direction.
     pub(super) angle: Vec<f64>,

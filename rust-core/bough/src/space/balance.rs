@@ -6,35 +6,31 @@
 //! commutator of the two rotations, without which floppy trees do not converge. A load `F` beyond the rod's end adds
 //! `-T omega + 1/2 omega G omega` with `T = l d x F` and `G = l ((F d) 1 - sym(F d))`.
 //!
-//! The spring's energy is `1/2 kappa (|theta|^2 + (gamma - 1) sigma^2)`, `sigma` the deviation's component along the wood
-//! of the joint, `gamma = GJ / EI`. All of `M` and `A` is written with vectors in the world's frame, so that no matrix is turned.
-//!
 //! As in the plane a rod couples with its bearer only, so 3 x 3 blocks eliminated from the tips down make no fill-in, and
 //! the signs of their leading minors count the Hessian's negative eigenvalues (Sylvester).
 
 use alloc::vec::Vec;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 
-use super::rotation::{Curving, exp, log, normalized};
+use super::element::{Elements, LANES, Symmetric, put, vector};
+use super::joints::Joints;
+use super::rotation::normalized;
 use super::shape::{Rods, Shape};
 use crate::mechanics::GROUND;
-
-/// A symmetric 3 x 3 matrix: xx, yy, zz, xy, xz, yz.
-pub(super) type Symmetric = [f64; 6];
 
 /// Of one rod: on the way down to it what those beyond pass on, afterwards its rows of the solution.
 #[derive(Clone, Copy, Debug)]
 struct Block {
     /// Stiffness of what is beyond, later the first six numbers of the gain.
     beyond: Symmetric,
-    /// Torque that the rods beyond pass on, later the last three numbers of the gain.
+    /// What their steps leave to be done, later the last three numbers of the gain.
     carried: DVec3,
-    /// External torque, later the rod's own step.
-    torque: DVec3,
+    /// Later the rod's own step.
+    step: DVec3,
 }
 
-const EMPTY: Block = Block { beyond: [0.0; 6], carried: DVec3::ZERO, torque: DVec3::ZERO };
+const EMPTY: Block = Block { beyond: [0.0; 6], carried: DVec3::ZERO, step: DVec3::ZERO };
 
 /// Torques at one state, and the elimination of the Hessian there. Buffers are kept between uses.
 #[derive(Clone, Debug, Default)]
@@ -42,11 +38,13 @@ pub struct Balance {
     /// Orientation of each rod.
     pub orientation: Vec<DQuat>,
     block: Vec<Block>,
-    /// By how much the last step turned each rod.
-    turn: Vec<DVec3>,
+    /// What is passed along the tree: torques of the loads down to the bearers, turns of a step up from them.
+    passed: Vec<DVec3>,
     /// One over the pivot of each rod, if it is kept for more solutions than one.
     pivot: Vec<Symmetric>,
     pub(super) keeps_pivots: bool,
+    elements: Elements,
+    joints: Joints,
     /// Energy of springs and loads, J.
     pub energy: f64,
     /// Sum of the sizes of the energy's terms: its rounding is a small multiple of this.
@@ -65,48 +63,14 @@ pub struct Balance {
     pub unstable_sideways: u32,
 }
 
-/// What the spring of one joint does.
-pub(super) struct Spring {
-    pub(super) moment: DVec3,
-    pub(super) hessian: Symmetric,
-    energy: f64,
-}
-
-impl Spring {
-    /// `along` is the direction of the wood at the joint, in the same frame as the deviation.
-    #[inline]
-    pub(super) fn new(stiffness: f64, twist_ratio: f64, deviation: DVec3, along: DVec3) -> Self {
-        let square = deviation.length_squared();
-        let Curving { first: c, second: d } = Curving::at(square);
-        let twist = deviation.dot(along);
-        let more = twist_ratio - 1.0;
-        let across = along.cross(deviation);
-        let straight = 1.0 - c * square;
-        let axis = along * straight + across * 0.5 + deviation * (c * twist);
-        let moment = (deviation + axis * (more * twist)) * stiffness;
-        let pull = more * twist;
-        let identity = straight + pull * twist * (c - 0.25 - c * c * square);
-        let both = c + pull * twist * (2.0 * c * c + d);
-        let mixed = 0.5 * pull * (0.25 - c - square * (c * c + d));
-        let skewed = 0.5 * pull * c;
-        // With `s = mixed along + skewed across` the last two terms are `theta s + s theta`.
-        let side = along * mixed + across * skewed;
-        let entry = |a: usize, b: usize| {
-            both * deviation[a] * deviation[b]
-                + more * axis[a] * axis[b]
-                + deviation[a] * side[b]
-                + side[a] * deviation[b]
-        };
-        let hessian = [
-            stiffness * (identity + entry(0, 0)),
-            stiffness * (identity + entry(1, 1)),
-            stiffness * (identity + entry(2, 2)),
-            stiffness * entry(0, 1),
-            stiffness * entry(0, 2),
-            stiffness * entry(1, 2),
-        ];
-        Spring { moment, hessian, energy: 0.5 * stiffness * (square + more * twist * twist) }
-    }
+/// What is added to the Hessian's diagonal.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Damping {
+    /// So many times the size of the loads' and springs' own torques.
+    pub shift: f64,
+    /// From 0 to 1: how much of what makes the loads and the commutators indefinite is taken away. With 1 only springs turned very
+    /// far can leave a direction in which the energy falls.
+    pub caution: f64,
 }
 
 /// `S v`.
@@ -122,37 +86,48 @@ fn times(s: &Symmetric, v: DVec3) -> DVec3 {
 impl Balance {
     /// Orientations at a state, from the ground up. O(n).
     pub fn orient(&mut self, rods: Rods, shape: &Shape) {
-        shape.orientations(rods, &mut self.orientation);
+        shape.orient(rods, &mut self.joints, &mut self.orientation);
     }
 
-    /// Torques, energy and the eliminated Hessian at the state last oriented, with `shift` times the size of the loads' and
-    /// springs' own torques added to its diagonal: 0 is the Hessian itself. `force` is the sum of all forces at the
-    /// distal end of each rod and beyond. O(n).
-    pub fn weigh(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], shift: f64) {
-        let count = rods.len();
+    /// Torques, energy and the eliminated Hessian at the state last oriented. `force` is the sum of all forces at the distal end of
+    /// each rod and beyond. O(n).
+    pub fn weigh(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], damping: Damping) {
         self.block.clear();
+        self.pass_down(rods, shape, force, damping, true);
+    }
+
+    /// Torques and energy alone, as [`Balance::weigh`]; the Hessian stays the one eliminated last. O(n).
+    pub fn look(&mut self, rods: Rods, shape: &Shape, force: &[DVec3]) {
+        self.pass_down(rods, shape, force, Damping::default(), false);
+    }
+
+    fn pass_down(&mut self, rods: Rods, shape: &Shape, force: &[DVec3], damping: Damping, eliminates: bool) {
+        let count = rods.len();
         self.block.resize(count, EMPTY);
+        self.passed.clear();
+        self.passed.resize(count, DVec3::ZERO);
         self.pivot.resize(if self.keeps_pivots { count } else { 0 }, [0.0; 6]);
         let (mut energy, mut size) = (0.0, 0.0);
         let (mut most_torque, mut most_residual, mut most_bent, mut loads) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
         let (mut unstable, mut unstable_sideways) = (0, 0);
-        let (parent, length, stiffness) =
-            (&rods.parent[..count], &rods.length[..count], &rods.stiffness[..count]);
-        let (orientation, deviation) = (&self.orientation[..count], &shape.deviation[..count]);
-        let (axis, force, block) = (&shape.axis[..count], &force[..count], &mut self.block[..count]);
+        let (parent, stiffness) = (&rods.parent[..count], &rods.stiffness[..count]);
+        let (orientation, block) = (&self.orientation[..count], &mut self.block[..count]);
+        let passed = &mut self.passed[..count];
+        let elements = &mut self.elements;
         for rod in (0..count).rev() {
-            let turned = DMat3::from_quat(orientation[rod]);
-            let along = turned.x_axis;
-            let bent = turned * DVec3::from_array(deviation[rod]);
-            let wood = turned * DVec3::from_array(axis[rod]);
-            let (arm, pull) = (length[rod] * along, force[rod]);
-            let Spring { moment, hessian, energy: stored } =
-                Spring::new(stiffness[rod], rods.twist_ratio, bent, wood);
-            let lifted = -arm.dot(pull);
+            let lane = rod % LANES;
+            if lane == LANES - 1 || rod == count - 1 {
+                elements.compute(rods, shape, orientation, force, rod - lane, damping);
+            }
+            let moment = vector(&elements.moment, lane);
+            let (stored, lifted) = (elements.stored[lane], elements.lifted[lane]);
             energy += stored + lifted;
             size += stored + lifted.abs();
-            let Block { mut beyond, carried, torque } = block[rod];
-            let torque = torque + arm.cross(pull);
+            loads += elements.reach[lane];
+            let torque = passed[rod] + vector(&elements.torque, lane);
+            if parent[rod] != GROUND {
+                passed[parent[rod] as usize] += torque;
+            }
             let residual = moment - torque;
             let (torque_square, residual_square) = (torque.length_squared(), residual.length_squared());
             most_torque = if torque_square > most_torque { torque_square } else { most_torque };
@@ -160,18 +135,15 @@ impl Balance {
             most_residual = if residual_square <= most_residual { most_residual } else { residual_square };
             let moment_square = moment.length_squared();
             most_bent = if moment_square > most_bent { moment_square } else { most_bent };
-            // The sum of the sizes of a vector's components bounds its length, and needs no root.
-            let load = length[rod] * pull.abs().element_sum();
-            loads += load;
-            let own = -lifted;
-            let shifted = own + shift * (load + moment.abs().element_sum());
-            beyond[0] += shifted - arm.x * pull.x;
-            beyond[1] += shifted - arm.y * pull.y;
-            beyond[2] += shifted - arm.z * pull.z;
-            beyond[3] -= 0.5 * (arm.x * pull.y + arm.y * pull.x);
-            beyond[4] -= 0.5 * (arm.x * pull.z + arm.z * pull.x);
-            beyond[5] -= 0.5 * (arm.y * pull.z + arm.z * pull.y);
-            let [xx, yy, zz, xy, xz, yz]: Symmetric = core::array::from_fn(|i| hessian[i] + beyond[i]);
+            if !eliminates {
+                continue;
+            }
+            let Block { mut beyond, carried, .. } = block[rod];
+            for (beyond, load) in beyond.iter_mut().zip(&elements.load) {
+                *beyond += load[lane];
+            }
+            let [xx, yy, zz, xy, xz, yz]: Symmetric =
+                core::array::from_fn(|i| elements.spring[i][lane] + beyond[i]);
             // The adjugate: one division instead of three that wait for each other.
             let (c00, c01, c02) = (yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy);
             let (c11, c12, c22) = (xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy);
@@ -201,7 +173,7 @@ impl Balance {
                 self.pivot[rod] = inverted;
             }
             // B = S - [M]/2, column by column, and the gain P^-1 B.
-            let half = 0.5 * moment;
+            let half = (0.5 * (1.0 - damping.caution)) * moment;
             let coupling = [
                 DVec3::new(beyond[0], beyond[3] - half.z, beyond[4] + half.y),
                 DVec3::new(beyond[3] + half.z, beyond[1], beyond[5] - half.x),
@@ -218,12 +190,11 @@ impl Balance {
                 below.beyond[5] += beyond[5] - coupling[1].dot(gain[2]);
                 let passed = DVec3::new(coupling[0].dot(step), coupling[1].dot(step), coupling[2].dot(step));
                 below.carried += carried - passed;
-                below.torque += torque;
             }
             block[rod] = Block {
                 beyond: [gain[0].x, gain[0].y, gain[0].z, gain[1].x, gain[1].y, gain[1].z],
                 carried: gain[2],
-                torque: step,
+                step,
             };
         }
         self.energy = energy;
@@ -232,39 +203,53 @@ impl Balance {
         self.largest_residual = libm::sqrt(most_residual);
         self.reach = loads;
         self.round_off = 8.0 * f64::EPSILON * (libm::sqrt(most_bent) + loads);
-        self.unstable = unstable;
-        self.unstable_sideways = unstable_sideways;
+        if eliminates {
+            self.unstable = unstable;
+            self.unstable_sideways = unstable_sideways;
+        }
     }
 
     /// Newton's step from the state last weighed, `scale` times: adds it to the deviations, turns the orientations along,
-    /// and returns the largest turn of any rod, radians. O(n).
-    pub fn advance(&mut self, rods: Rods, shape: &mut Shape, scale: f64) -> f64 {
+    /// and returns the largest turn of any rod, radians. A rod that would turn by more than `limit` turns by that much, and those
+    /// that it bears step as fits that. O(n).
+    pub fn advance(&mut self, rods: Rods, shape: &mut Shape, scale: f64, limit: f64) -> f64 {
         let count = rods.len();
-        self.turn.resize(count, DVec3::ZERO);
+        self.passed.resize(count, DVec3::ZERO);
         let (parent, rest) = (&rods.parent[..count], &shape.rest[..count]);
-        let (block, turn) = (&self.block[..count], &mut self.turn[..count]);
+        let (block, turn) = (&self.block[..count], &mut self.passed[..count]);
         let (orientation, deviation) = (&mut self.orientation[..count], &mut shape.deviation[..count]);
+        let joints = &mut self.joints;
         let mut largest = 0.0_f64;
-        for rod in 0..count {
-            let bearer = parent[rod];
-            let (below, base) = match bearer {
-                GROUND => (DVec3::ZERO, DQuat::IDENTITY),
-                bearer => (turn[bearer as usize], orientation[bearer as usize]),
-            };
-            let step = scale * block[rod].torque - block[rod].gain(below);
-            let step = rods.plane.map_or(step, |normal| normal * normal.dot(step));
-            let own = below + step;
-            turn[rod] = own;
-            let square = own.length_squared();
-            // Written so that NaN stays.
-            largest = if square <= largest { largest } else { square };
-            // exp(-below) exp(below + step), to third order: what the joint itself turns by.
-            let once = below.cross(step);
-            let joint = step - 0.5 * once + below.cross(once) * (1.0 / 6.0);
-            let own_frame = orientation[rod].conjugate() * joint;
-            let deviated = exp(DVec3::from_array(deviation[rod])) * exp(own_frame);
-            deviation[rod] = log(deviated).to_array();
-            orientation[rod] = normalized(base * (rest[rod] * deviated));
+        for first in (0..count).step_by(LANES) {
+            let here = first..count.min(first + LANES);
+            for (lane, rod) in here.clone().enumerate() {
+                let below = if parent[rod] == GROUND { DVec3::ZERO } else { turn[parent[rod] as usize] };
+                let step = scale * block[rod].step - block[rod].gain(below);
+                let mut step = rods.plane.map_or(step, |normal| normal * normal.dot(step));
+                let mut own = below + step;
+                let mut square = own.length_squared();
+                if square > limit * limit {
+                    own *= limit / libm::sqrt(square);
+                    step = own - below;
+                    square = limit * limit;
+                }
+                turn[rod] = own;
+                // Written so that NaN stays.
+                largest = if square <= largest { largest } else { square };
+                put(&mut joints.deviation, lane, deviation[rod]);
+                put(&mut joints.orientation, lane, orientation[rod].to_array());
+                put(&mut joints.below, lane, below.to_array());
+                put(&mut joints.step, lane, step.to_array());
+            }
+            joints.turn();
+            for (lane, rod) in here.enumerate() {
+                deviation[rod] = vector(&joints.deviation, lane).to_array();
+                let turned = rest[rod] * joints.rotation(lane);
+                orientation[rod] = normalized(match parent[rod] {
+                    GROUND => turned,
+                    bearer => orientation[bearer as usize] * turned,
+                });
+            }
         }
         libm::sqrt(largest)
     }
@@ -298,7 +283,7 @@ impl Balance {
 
     /// Newton's own step of a rod, before its bearer's turn.
     pub(super) fn step_mut(&mut self, rod: usize) -> &mut DVec3 {
-        &mut self.block[rod].torque
+        &mut self.block[rod].step
     }
 
     /// Largest torque left over, relative to the largest external torque; 0 where no load bends anything, as an upright stem's.

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use glam::DVec3;
 
-use super::balance::Balance;
+use super::balance::{Balance, Damping};
 use super::shape::{Rods, Shape};
 
 /// Relative width of the bracket at the end.
@@ -21,12 +21,12 @@ pub fn load_over_critical(rods: Rods, rest: &Shape, force: &[DVec3]) -> Option<f
     let mut balance = Balance::default();
     balance.orient(rods, rest);
     let scaled = |factor: f64| -> Vec<DVec3> { force.iter().map(|force| *force * factor).collect() };
-    balance.weigh(rods, rest, force, 0.0);
+    balance.weigh(rods, rest, force, Damping::default());
     if !balance.is_unbent() || force.iter().all(|force| *force == DVec3::ZERO) {
         return None;
     }
     let mut buckles = |factor: f64| {
-        balance.weigh(rods, rest, &scaled(factor), 0.0);
+        balance.weigh(rods, rest, &scaled(factor), Damping::default());
         balance.unstable > 0
     };
     // From the present load on, up or down, until the critical one is between.

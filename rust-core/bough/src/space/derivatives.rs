@@ -7,7 +7,8 @@ use alloc::vec::Vec;
 
 use glam::{DQuat, DVec3};
 
-use super::balance::{Balance, Spring, Symmetric};
+use super::balance::{Balance, Damping};
+use super::element::{Spring, Symmetric};
 use super::equilibrium::{Workspace, energy_rounding, settle};
 use super::rotation::{exp, log};
 use super::shape::{Rods, Shape, gather};
@@ -223,11 +224,11 @@ fn the_elimination_solves_the_dense_system() {
         let mut shape = tree.shape.clone();
         balance.orient(tree.rods(), &shape);
         let (before, force) = (balance.orientation.clone(), tree.force.clone());
-        balance.weigh(tree.rods(), &shape, &force, 0.0);
+        balance.weigh(tree.rods(), &shape, &force, Damping::default());
         assert!((balance.energy - tree.energy(&tree.shape)).abs() <= 1e-13 * balance.energy_size);
         // A step so small that what it turns is linear in it to 1e-8.
         let scale = 1e-8 / (1.0 + size);
-        balance.advance(tree.rods(), &mut shape, scale);
+        balance.advance(tree.rods(), &mut shape, scale, f64::INFINITY);
         let turns: Vec<f64> = (0..before.len())
             .flat_map(|rod| log(balance.orientation[rod] * before[rod].conjugate()).to_array())
             .map(|turn| turn / scale)
@@ -291,7 +292,7 @@ fn stability_agrees_with_the_eigenvalues_of_200_random_plants() {
         let negative = eigenvalues.iter().filter(|&&value| value < 0.0).count() as u32;
         let mut balance = Balance::default();
         balance.orient(tree.rods(), &tree.shape);
-        balance.weigh(tree.rods(), &tree.shape, &tree.force, 0.0);
+        balance.weigh(tree.rods(), &tree.shape, &tree.force, Damping::default());
         assert_eq!(balance.unstable, negative, "plant {checked}");
         checked += 1;
         unstable += u32::from(negative > 0);

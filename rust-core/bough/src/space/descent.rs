@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::balance::Damping;
 use super::equilibrium::{NEUTRAL, TRUSTED_TURN, Workspace, energy_rounding, is_balanced};
 use super::shape::{Rods, Shape};
 use crate::mechanics::{GROUND, LEAN, Outcome, Status};
@@ -10,20 +11,29 @@ use crate::mechanics::{GROUND, LEAN, Outcome, Status};
 const DESCENT_ITERATIONS: u32 = 200;
 /// The same for a plant that has failed to find its equilibrium before: then no shape is truthful, and the steps must pass.
 const WEARY_ITERATIONS: u32 = 5;
-/// Most times that a step is shortened: a quarter each time, so that the last is a rounding.
-const LINE_SEARCHES: u32 = 16;
-/// Shifts of the Hessian's diagonal that are tried where it is not definite, from this one up, four times as much each.
-const SMALLEST_SHIFT: f64 = 1.0 / 1_048_576.0;
-/// With this shift the Hessian is positive definite: loads and commutators are outweighed.
-const DEFINITE: f64 = 4.0;
+/// Most times that a step is taken back: at the ladder's end it is a quarter each time, so that the last is a rounding.
+const LINE_SEARCHES: u32 = 32;
+/// What is added where the Hessian is not definite, from the least to what always suffices.
+const LADDER: [Damping; 9] = [
+    NEUTRAL,
+    Damping { caution: 1.0 / 16.0, ..NEUTRAL },
+    Damping { caution: 0.25, ..NEUTRAL },
+    Damping { caution: 1.0, ..NEUTRAL },
+    Damping { caution: 1.0, shift: 1.0 / 64.0 },
+    Damping { caution: 1.0, shift: 1.0 / 16.0 },
+    Damping { caution: 1.0, shift: 0.25 },
+    Damping { caution: 1.0, shift: 1.0 },
+    Damping { caution: 1.0, shift: 4.0 },
+];
 /// Downhill, so many iterations without a smaller residual mean that rounding is all that is left,
 const PATIENCE: u32 = 40;
 /// where the residual is below this share of the largest torque: on the way down from a saddle it grows first.
 const NEARLY: f64 = 1e-6;
 
 impl Workspace {
-    /// Goes down in energy to a minimum: Newton where the Hessian is positive definite, with its diagonal shifted until it is
-    /// elsewhere, and a line search.
+    /// Goes down in energy to a minimum: Newton's method, with so much added to the Hessian that it is positive definite, and that no
+    /// step raises the energy. No rod turns far at once, and those that it bears step as fits what it turns: of a
+    /// hundred thousand twigs some always would, and all others need not wait for them.
     pub(super) fn descend(
         &mut self,
         rods: Rods,
@@ -33,10 +43,11 @@ impl Workspace {
         outcome: &mut Outcome,
     ) {
         let (mut previous, mut least, mut since) = (f64::INFINITY, f64::INFINITY, 0);
+        let mut rung = 0_usize;
         outcome.status = Status::MaxIterations;
+        self.balance.orient(rods, shape);
+        self.balance.weigh(rods, shape, force, NEUTRAL);
         for _ in 0..if self.is_weary { WEARY_ITERATIONS } else { DESCENT_ITERATIONS } {
-            self.balance.orient(rods, shape);
-            self.balance.weigh(rods, shape, force, NEUTRAL);
             outcome.residual = self.balance.relative_residual();
             if is_balanced(&self.balance, tolerance, previous) {
                 outcome.unstable_directions = Some(self.balance.unstable);
@@ -51,29 +62,36 @@ impl Workspace {
             }
             let (energy, size) = (self.balance.energy, self.balance.energy_size);
             let allowed = energy + energy_rounding(size, rods.len());
-            let mut shift = NEUTRAL;
-            while self.balance.unstable > 0 && shift < DEFINITE {
-                shift = f64::max(SMALLEST_SHIFT, 4.0 * shift);
-                self.balance.weigh(rods, shape, force, shift);
+            // From a little less than what the last step needed.
+            rung = if self.balance.unstable > 0 { rung.saturating_sub(2) } else { 0 };
+            while self.balance.unstable > 0 && rung + 1 < LADDER.len() {
+                rung += 1;
+                self.balance.weigh(rods, shape, force, LADDER[rung]);
             }
             outcome.iterations += 1;
             self.saved.clone_from(&shape.deviation);
             let mut scale = 1.0;
-            for _ in 0..LINE_SEARCHES {
-                let turn = self.balance.advance(rods, shape, scale);
-                if turn <= TRUSTED_TURN {
-                    self.balance.weigh(rods, shape, force, NEUTRAL);
-                    if self.balance.energy <= allowed {
-                        #[cfg(test)]
-                        self.trace.push([energy, self.balance.energy, size]);
-                        break;
-                    }
+            let falls = (0..LINE_SEARCHES).any(|_| {
+                self.balance.advance(rods, shape, scale, TRUSTED_TURN);
+                self.balance.weigh(rods, shape, force, NEUTRAL);
+                if self.balance.energy <= allowed {
+                    return true;
                 }
-                scale *= if turn > TRUSTED_TURN { f64::max(1e-6, 0.9 * TRUSTED_TURN / turn) } else { 0.25 };
+                if rung + 1 < LADDER.len() {
+                    rung += 1;
+                } else {
+                    scale *= 0.25;
+                }
                 shape.deviation.clone_from(&self.saved);
                 self.balance.orient(rods, shape);
-                self.balance.weigh(rods, shape, force, shift);
+                self.balance.weigh(rods, shape, force, LADDER[rung]);
+                false
+            });
+            if !falls {
+                break;
             }
+            #[cfg(test)]
+            self.trace.push([energy, self.balance.energy, size]);
         }
         if !outcome.residual.is_finite() {
             outcome.status = Status::NonFinite;
@@ -92,7 +110,7 @@ impl Workspace {
         tolerance: f64,
         outcome: &mut Outcome,
     ) {
-        self.balance.weigh(rods, shape, force, 0.0);
+        self.balance.weigh(rods, shape, force, Damping::default());
         if !self.balance.is_unbent() {
             return;
         }

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 
 use glam::DVec3;
 
-use super::balance::Balance;
+use super::balance::{Balance, Damping};
 use super::shape::{Rods, Shape};
 use crate::mechanics::{Outcome, Settings, Status};
 
@@ -16,19 +16,23 @@ use crate::mechanics::{Outcome, Settings, Status};
 pub(super) const TRUSTED_TURN: f64 = 1.0;
 /// How far the load is raised at once: a little less than what is trusted.
 const FITTING_TURN: f64 = 0.8;
+/// Turn in one step after which the Hessian is not eliminated again unless more steps are due, radians.
+const NEAR: f64 = 0.01;
 /// Newton converges quadratically from a trusted start, so more iterations than this mean that it was not one.
 const TRUSTED_ITERATIONS: u32 = 12;
 /// Smallest part of a load that is tried before the branch counts as ended.
 const SMALLEST_SHARE: f64 = 1e-12;
 /// Most parts of a load that are tried, for the same reason.
 const MOST_PARTS: u32 = 40;
+/// While the shape goes on changing as it does, a part adds more than this share to the load that is on.
+const STEADY: f64 = 0.2;
 /// Balance that is enough on the way, before the whole load is on.
 const ON_THE_WAY: f64 = 0.2;
 
 /// A direction in which the energy falls by less than this share of the loads' and springs' torques is neutral: an upright stem
 /// that leans could as well lean to any other side. So much is added to the Hessian, which keeps the shape from wandering off
 /// and costs Newton's method a millionth of its step at most where a mode is a thousand times softer than the loads.
-pub const NEUTRAL: f64 = 1e-9;
+pub const NEUTRAL: Damping = Damping { shift: 1e-9, caution: 0.0 };
 
 /// The search's buffers, kept between growth steps.
 #[derive(Clone, Debug, Default)]
@@ -78,11 +82,17 @@ impl Workspace {
         limit: f64,
         outcome: &mut Outcome,
     ) -> Attempt {
-        let (mut turned, mut previous) = (0.0, f64::INFINITY);
+        let (mut turned, mut last, mut previous) = (0.0, f64::INFINITY, f64::INFINITY);
         let mut before = None;
         self.balance.orient(rods, shape);
         for _ in 0..=TRUSTED_ITERATIONS {
-            self.balance.weigh(rods, shape, force, NEUTRAL);
+            // So near to a state whose Hessian is definite the torques are enough to see.
+            let is_near = last <= NEAR;
+            if is_near {
+                self.balance.look(rods, shape, force);
+            } else {
+                self.balance.weigh(rods, shape, force, NEUTRAL);
+            }
             let (energy, size) = (self.balance.energy, self.balance.energy_size);
             if before.is_some_and(|before| energy > before + energy_rounding(size, rods.len())) {
                 break;
@@ -91,15 +101,21 @@ impl Workspace {
             self.trace.extend(before.map(|before| [before, energy, size]));
             outcome.residual = self.balance.relative_residual();
             outcome.unstable_directions = Some(self.balance.unstable);
-            if is_balanced(&self.balance, tolerance, previous) {
+            // The largest torque says nothing of a twig's: on the way every guess is corrected once.
+            let is_guessed = tolerance >= ON_THE_WAY && before.is_none();
+            if !is_guessed && is_balanced(&self.balance, tolerance, previous) {
                 return Attempt::Converged(turned);
+            }
+            if is_near {
+                self.balance.weigh(rods, shape, force, NEUTRAL);
             }
             if self.balance.unstable > 0 {
                 break;
             }
             before = Some(energy);
             previous = self.balance.largest_residual;
-            turned += self.balance.advance(rods, shape, 1.0);
+            last = self.balance.advance(rods, shape, 1.0, f64::INFINITY);
+            turned += last;
             outcome.iterations += 1;
             if turned.is_nan() || turned > limit {
                 break;
@@ -130,6 +146,10 @@ impl Workspace {
         let mut parts = 0;
         while share < 1.0 && part > SMALLEST_SHARE && parts < MOST_PARTS {
             parts += 1;
+            if part < STEADY * share && 1.0 - share > part * f64::from(MOST_PARTS - parts) {
+                // At this pace the parts do not suffice, and the pace grows no more.
+                break;
+            }
             let next = f64::min(1.0, share + part);
             let tolerance = if next < 1.0 { f64::max(tolerance, ON_THE_WAY) } else { tolerance };
             partial.clear();
@@ -144,7 +164,7 @@ impl Workspace {
             // Along the branch the guess is trusted: what counts is how far it was off.
             let limit = TRUSTED_TURN;
             match self.attempt(rods, shape, &partial, tolerance, limit, outcome) {
-                Attempt::Converged(turned) => {
+                Attempt::Converged(turned) if next == 1.0 || self.balance.unstable == 0 => {
                     last_part = next - share;
                     share = next;
                     part = last_part * fitting(guessed + turned, 3.0);
@@ -152,11 +172,11 @@ impl Workspace {
                     let (after, before) = (shape.deviation.as_flattened(), self.saved.as_flattened());
                     self.change.extend(after.iter().zip(before).map(|(after, before)| after - before));
                 }
-                Attempt::Distrusted(turned) => {
+                Attempt::Converged(turned) | Attempt::Distrusted(turned) => {
                     shape.deviation.clone_from(&self.saved);
                     last_part = f64::INFINITY;
                     self.change.clear();
-                    part *= fitting(guessed + turned, 0.5);
+                    part *= fitting(guessed + turned, 0.25);
                 }
             }
         }

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use glam::{DMat3, DVec3};
 
-use super::balance::Balance;
+use super::balance::{Balance, Damping};
 use super::shape::{Rods, Shape};
 use crate::mechanics::{GROUND, Outcome, Settings, Status};
 
@@ -60,7 +60,7 @@ pub fn hold(
             pulled[rod] = force[rod] + held.force;
         }
         let off = wanted - end_of(&balance, rods, &path);
-        balance.weigh(rods, shape, &pulled, 0.0);
+        balance.weigh(rods, shape, &pulled, Damping::default());
         let left = balance.largest_residual;
         held.outcome.residual = balance.relative_residual();
         if !left.is_finite() {
@@ -83,7 +83,7 @@ pub fn hold(
                 break (columns, compliance);
             }
             shift = f64::max(1.0 / 256.0, 4.0 * shift);
-            balance.weigh(rods, shape, &pulled, shift);
+            balance.weigh(rods, shape, &pulled, Damping { shift, caution: 0.0 });
         };
         let own: Vec<DVec3> = path.iter().map(|&rod| *balance.step_mut(rod)).collect();
         let moved = balance.moved(rods, &path, |place| own[place]);
@@ -93,13 +93,13 @@ pub fn hold(
         }
         let kept = shape.deviation.clone();
         let oriented = balance.orientation.clone();
-        let turn = balance.advance(rods, shape, 1.0);
+        let turn = balance.advance(rods, shape, 1.0, f64::INFINITY);
         let mut scale = 1.0;
         if turn.is_nan() || turn > LARGEST_TURN {
             scale = LARGEST_TURN / turn;
             shape.deviation.clone_from(&kept);
             balance.orientation = oriented;
-            balance.advance(rods, shape, scale);
+            balance.advance(rods, shape, scale, f64::INFINITY);
         }
         held.force += change * scale;
         if !held.force.is_finite() {

@@ -8,14 +8,16 @@ mod buckling;
 #[cfg(test)]
 mod derivatives;
 mod descent;
+mod element;
 mod equilibrium;
 mod hold;
+mod joints;
 mod rotation;
 mod shape;
 
-pub use balance::Balance;
+pub use balance::{Balance, Damping};
 pub use buckling::load_over_critical;
 pub use equilibrium::{NEUTRAL, Workspace, settle};
 pub use hold::{Held, hold};
-pub use rotation::{LONGEST, direction, exp, log, normalized, orientation, roll};
+pub use rotation::{LONGEST, direction, exp, from_rodrigues, log, normalized, orientation, rodrigues, roll};
 pub use shape::{Rods, Shape, gather};

@@ -10,19 +10,37 @@ use glam::{DQuat, DVec3};
 use crate::angle::Degrees;
 use crate::trigonometry::sin_cos;
 
-/// Up to here, of half an angle squared, 6 terms of sine and cosine leave less than 1e-17.
-const SMALL_HALF: f64 = 1.0 / 16.0;
 /// Up to here, of a sine squared, 10 terms of the arc sine leave less than 1e-18.
 const SMALL_SINE: f64 = 1.0 / 64.0;
-/// Up to here, of an angle squared, 8 terms of [`Curving`] leave less than 1e-16.
+/// Up to here, of an angle squared, 7 terms of half its sine and cosine leave less than 1e-17, and 8 of [`Curving`] less than 1e-16.
 const SMALL_ANGLE: f64 = 0.25;
 
 /// The rotation by a rotation vector.
 #[inline]
 pub fn exp(rotation: DVec3) -> DQuat {
+    let square = rotation.length_squared();
+    if is_small(square) { exp_small(rotation) } else { exp_large(rotation, square) }
+}
+
+/// Whether [`exp_small`] and [`composed_small`] serve a rotation vector of this length squared.
+#[inline]
+pub(super) fn is_small(square: f64) -> bool {
+    square <= SMALL_ANGLE
+}
+
+/// [`exp`] of at most half a radian.
+#[inline(always)]
+pub(super) fn exp_small(rotation: DVec3) -> DQuat {
     let square = 0.25 * rotation.length_squared();
-    let (sinc, cosine) = if square <= SMALL_HALF { small_half(square) } else { large_half(square) };
-    let DVec3 { x, y, z } = rotation * (0.5 * sinc);
+    let DVec3 { x, y, z } = rotation * (0.5 * horner(&SINC, square));
+    DQuat::from_xyzw(x, y, z, horner(&COSINE, square))
+}
+
+#[inline(never)]
+fn exp_large(rotation: DVec3, square: f64) -> DQuat {
+    let angle = libm::sqrt(square);
+    let (sine, cosine) = sin_cos(0.5 * angle);
+    let DVec3 { x, y, z } = rotation * (sine / angle);
     DQuat::from_xyzw(x, y, z, cosine)
 }
 
@@ -46,22 +64,6 @@ const SINC: [f64; 7] = [
 ];
 const COSINE: [f64; 7] =
     [1.0, -0.5, 1.0 / 24.0, -1.0 / 720.0, 1.0 / 40_320.0, -1.0 / 3_628_800.0, 1.0 / 479_001_600.0];
-
-#[inline]
-fn small_half(square: f64) -> (f64, f64) {
-    if square <= TINY {
-        let [sinc, cosine] = [&SINC, &COSINE].map(|all| [all[0], all[1], all[2], all[3], all[4]]);
-        return (horner(&sinc, square), horner(&cosine, square));
-    }
-    (horner(&SINC, square), horner(&COSINE, square))
-}
-
-#[inline(never)]
-fn large_half(square: f64) -> (f64, f64) {
-    let half = libm::sqrt(square);
-    let (sine, cosine) = sin_cos(half);
-    (sine / half, cosine)
-}
 
 /// The rotation vector of a rotation, at most pi long: the short way round.
 #[inline]
@@ -101,6 +103,41 @@ fn large_arc(square: f64, cosine: f64) -> f64 {
     libm::atan2(sine, cosine) / sine
 }
 
+/// The rotation vector of one rotation after another, `log(exp(first) exp(then))`: to second order in the other, and exact to first
+/// for any `first`; always the short way round.
+pub(super) fn composed(first: DVec3, then: DVec3) -> DVec3 {
+    let sum = composed_by(first, then, Curving::at(first.length_squared()));
+    if sum.length_squared() <= LONGEST * LONGEST { sum } else { log(exp(sum)) }
+}
+
+/// [`composed`] for a small `first`.
+#[inline(always)]
+pub(super) fn composed_small(first: DVec3, then: DVec3) -> DVec3 {
+    composed_by(first, then, Curving::small(first.length_squared()))
+}
+
+#[inline(always)]
+fn composed_by(first: DVec3, then: DVec3, curving: Curving) -> DVec3 {
+    let once = first.cross(then);
+    let curved = first.cross(once) * curving.first;
+    first + then + once * 0.5 + curved - then.cross(once) * (1.0 / 12.0)
+}
+
+/// The modified Rodrigues parameters of a rotation: its axis times the tangent of a quarter of its angle, at most 1 long. Three
+/// numbers, as the rotation vector, without its arc tangent.
+pub fn rodrigues(rotation: DQuat) -> DVec3 {
+    let DQuat { x, y, z, w } = rotation;
+    DVec3::new(x, y, z) * (if w < 0.0 { -1.0 } else { 1.0 } / (1.0 + w.abs()))
+}
+
+/// The rotation of these modified Rodrigues parameters.
+pub fn from_rodrigues(parameters: DVec3) -> DQuat {
+    let square = parameters.length_squared();
+    let inverse = 1.0 / (1.0 + square);
+    let DVec3 { x, y, z } = parameters * (2.0 * inverse);
+    DQuat::from_xyzw(x, y, z, (1.0 - square) * inverse)
+}
+
 /// A product of unit quaternions, with the length that rounding took brought back: exact but for the square of that.
 #[inline]
 pub fn normalized(rotation: DQuat) -> DQuat {
@@ -118,12 +155,12 @@ pub(super) struct Curving {
 impl Curving {
     #[inline]
     pub(super) fn at(square: f64) -> Self {
-        if square <= SMALL_ANGLE { Self::small(square) } else { Self::large(square) }
+        if is_small(square) { Self::small(square) } else { Self::large(square) }
     }
 
     /// `2 zeta(2k) / (2 pi)^(2k)`, the series of the cotangent.
-    #[inline]
-    fn small(square: f64) -> Self {
+    #[inline(always)]
+    pub(super) fn small(square: f64) -> Self {
         const TERMS: [f64; 8] = [
             1.0 / 12.0,
             1.0 / 720.0,
@@ -134,9 +171,8 @@ impl Curving {
             1.0 / 74_724_249_600.0,
             3617.0 / 10_670_622_842_880_000.0,
         ];
-        let terms = if square <= 10.0 * TINY { &TERMS[..5] } else { &TERMS[..] };
         let (mut first, mut second) = (0.0, 0.0);
-        for term in terms.iter().rev() {
+        for term in TERMS.iter().rev() {
             second = second * square + first;
             first = first * square + term;
         }
@@ -200,6 +236,20 @@ mod tests {
             // Relative to the vector: small joint rotations keep their digits.
             assert!((log(rotation) - vector).length() <= 8.0 * f64::EPSILON * vector.length(), "{vector}");
             assert!((log(-rotation) - vector).length() <= 8.0 * f64::EPSILON * vector.length(), "{vector}");
+        }
+    }
+
+    #[test]
+    fn rodrigues_parameters_are_undone() {
+        for vector in vectors() {
+            let (rotation, longer) = (exp(vector), exp(-vector * (2.0 * PI / vector.length() - 1.0)));
+            for rotation in [rotation, -rotation, longer] {
+                if rotation.is_finite() {
+                    let (parameters, undone) = (rodrigues(rotation), from_rodrigues(rodrigues(rotation)));
+                    assert!(parameters.length() <= 1.0 + f64::EPSILON);
+                    assert!((log(undone) - log(rotation)).length() <= 8.0 * f64::EPSILON * vector.length());
+                }
+            }
         }
     }
 

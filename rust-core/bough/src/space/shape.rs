@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use glam::{DQuat, DVec3};
 
-use super::balance::Spring;
+use super::element::{LANES, Spring, put, vector};
+use super::joints::Joints;
 use super::rotation::{exp, log, normalized};
 use crate::mechanics::{GROUND, Linkage};
 
@@ -69,17 +70,29 @@ impl Shape {
         self.axis.push((exp(log(bend) * -0.5) * DVec3::X).to_array());
     }
 
-    /// Takes a share of a joint's deviation into its rest rotation.
-    pub fn yield_to(&mut self, rod: usize, share: f64) {
-        let deviation = DVec3::from_array(self.deviation[rod]);
-        if deviation == DVec3::ZERO {
-            // Not even a rounding: what has no memory is the same, however often it thickens.
-            return;
+    /// Takes a share of each joint's deviation into its rest rotation. The joint does not move: `joint` is told its rotation.
+    pub fn yield_to(&mut self, share: impl Fn(usize) -> f64, mut joint: impl FnMut(DQuat)) {
+        let (mut whole, mut half) = (Joints::default(), Joints::default());
+        for (first, deviations) in (0..).step_by(LANES).zip(self.deviation.chunks_mut(LANES)) {
+            for (lane, deviation) in deviations.iter().enumerate() {
+                put(&mut whole.deviation, lane, *deviation);
+                put(&mut half.deviation, lane, deviation.map(|part| part * (0.5 * share(first + lane))));
+            }
+            whole.rotate();
+            half.rotate();
+            for (lane, deviation) in deviations.iter_mut().enumerate() {
+                let (rest, axis) = (&mut self.rest[first + lane], &mut self.axis[first + lane]);
+                joint(*rest * whole.rotation(lane));
+                // Not even a rounding: what has no memory is the same, however often it thickens.
+                if *deviation != [0.0; 3] {
+                    let taken = half.rotation(lane);
+                    *rest = normalized(*rest * (taken * taken));
+                    *axis = (taken.conjugate() * DVec3::from_array(*axis)).to_array();
+                    let left = DVec3::from_array(*deviation) - 2.0 * vector(&half.deviation, lane);
+                    *deviation = left.to_array();
+                }
+            }
         }
-        let taken = deviation * share;
-        self.rest[rod] = normalized(self.rest[rod] * exp(taken));
-        self.deviation[rod] = (deviation - taken).to_array();
-        self.axis[rod] = (exp(taken * -0.5) * DVec3::from_array(self.axis[rod])).to_array();
     }
 
     /// Present rotation of a base joint.
@@ -103,11 +116,24 @@ impl Shape {
 
     /// Writes the orientation of every rod.
     pub fn orientations(&self, rods: Rods, orientation: &mut Vec<DQuat>) {
+        self.orient(rods, &mut Joints::default(), orientation);
+    }
+
+    pub(super) fn orient(&self, rods: Rods, joints: &mut Joints, orientation: &mut Vec<DQuat>) {
         orientation.clear();
-        for (rod, &parent) in rods.parent.iter().enumerate() {
-            let joint = self.joint(rod);
-            let turned = if parent == GROUND { joint } else { orientation[parent as usize] * joint };
-            orientation.push(normalized(turned));
+        for (first, deviations) in (0..).step_by(LANES).zip(self.deviation.chunks(LANES)) {
+            for (lane, deviation) in deviations.iter().enumerate() {
+                put(&mut joints.deviation, lane, *deviation);
+            }
+            joints.rotate();
+            for lane in 0..deviations.len() {
+                let joint = self.rest[first + lane] * joints.rotation(lane);
+                let parent = rods.parent[first + lane];
+                orientation.push(normalized(match parent {
+                    GROUND => joint,
+                    parent => orientation[parent as usize] * joint,
+                }));
+            }
         }
     }
 }
