@@ -4,7 +4,9 @@
 
 use bough::angle::Degrees;
 use bough::mechanics::Status;
-use bough::params::{ArrangementPattern, Discretization, PRESETS, Params, Stepping, check};
+use bough::params::{
+    ArrangementPattern, BranchingPattern, Discretization, PRESETS, Params, Stepping, Thickening, check,
+};
 use bough::{History, Plant, grow};
 
 mod support;

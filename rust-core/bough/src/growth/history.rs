@@ -65,15 +65,22 @@ impl History {
     /// # Errors
     /// Every problem of the params at once.
     pub fn new(params: &Params) -> Result<Self, BoughError> {
-        let growth = Growth::new(params)?;
+        Ok(Self::of(Growth::new(params)?, params))
+    }
+
+    fn of(growth: Growth, params: &Params) -> Self {
         let copies = if copies_differ(params) { params.arrangement.count as usize } else { 0 };
-        let alone = (0..copies).map(|copy| History::new(&stem::alone(params, copy)));
-        let alone = alone.collect::<Result<Vec<_>, _>>()?;
+        let copy = |copy| {
+            // A force turned out of its axes may leave the range that each of its components has.
+            let params = stem::alone(params, copy);
+            Self::of(Growth::unchecked(&params), &params)
+        };
+        let alone = (0..copies).map(copy).collect();
         let state = 16 * size_of::<f64>() * growth.full_grown_segments();
         let kept = (CHECKPOINT_BYTES / state.max(1)).clamp(1, MOST_CHECKPOINTS);
         let interval = growth.steps().div_ceil(kept as u32).next_multiple_of(STRIDE);
         let checkpoints = vec![growth.state.clone()];
-        Ok(History { growth, recorded: vec![0], checkpoints, interval, grip: None, is_stopped: false, alone })
+        History { growth, recorded: vec![0], checkpoints, interval, grip: None, is_stopped: false, alone }
     }
 
     /// How many growth steps there are.
