@@ -15,9 +15,9 @@ export function checkSizes() {
   const wasm = compressed(wasmFiles().filter((file) => !isForStudy(file)));
   const embed = ["embed.html", ...reachedBy(["embed.html"], staticImport)];
   const widget = reachedBy(["bough-plant.js"], anyImport);
-  // Rods in space, which bend and twist, made the wasm a third larger, and weather, leaves and strength 6 kB more.
+  // Rods in space, which bend and twist, made the wasm a third larger, and weather, leaves and strength 6 kB more; eight at a time 4.
   const rows = [
-    { what: "wasm", size: wasm, wished: 40, most: 88 },
+    { what: "wasm", size: wasm, wished: 40, most: 92 },
     {
       what: "explorer up to the first plant",
       size: wasm + compressed(initialFiles()),
@@ -28,13 +28,13 @@ export function checkSizes() {
       what: "wasm that studies a plant, when wanted",
       size: compressed(wasmFiles().filter(isForStudy)),
       wished: 60,
-      most: 81,
+      most: 86,
     },
     { what: "embed before activation", size: compressed(embed), wished: 15, most: 15 },
     { what: "module widget with three and wasm", size: wasm + compressed(widget), wished: 215, most: 255 },
     { what: "one-file bough-widget.js", size: compressed(["bough-widget.js"]), wished: 235, most: 259 },
     // Wished before there were an element and bough/three in it (now a fifth), and for a wasm of 40 kB, which ships twice.
-    { what: "npm tarball", size: tarballSize(), wished: 150, most: 268 },
+    { what: "npm tarball", size: tarballSize(), wished: 150, most: 277 },
   ];
   console.log(tableRow("kB, compressed", "size", "wished", "at most"));
   for (const { what, size, wished, most } of rows) {
