@@ -25,8 +25,9 @@ export default defineConfig({
           name: "browser",
           include: ["tests/{browser,element}/**/*.test.ts", "tests/course/pages/*.test.ts"],
           globalSetup: "tests/browser/serve.ts",
-          // WebGL is computed on the CPU here: one page at a time, and time enough for slow machines.
-          fileParallelism: false,
+          // WebGL is computed on the CPU here: two pages at a time, one waits while the other draws, and time enough for slow
+          // machines.
+          maxWorkers: 2,
           testTimeout: 60_000,
           hookTimeout: 60_000,
         },

@@ -70,7 +70,7 @@ export async function walk(browser: Browser, site: string, seed: number, actions
       if (problems.length > 0) throw new Error(problems[0]);
       if (walker.chance(0.2)) counts.compared += await comparePlant(page);
       // After an undo the way back leads elsewhere.
-      const wentBack = /^(key Control|click on (Undo|Redo))/.test(done.at(-1) ?? "");
+      const wentBack = /^(key Control|back or forth)/.test(done.at(-1) ?? "");
       // What is pinned is in the address, and no step of the history.
       const changed = meaning(page.url()) !== meaning(before);
       if (changed && !wentBack && walker.chance(0.3))
@@ -144,7 +144,8 @@ async function anyControl({ page, pick }: Walker): Promise<ElementHandle<HTMLEle
 }
 
 async function use({ page, pick }: Walker, element: ElementHandle<HTMLElement>): Promise<string> {
-  const { kind, name } = await element.evaluate((one) => ({
+  const { kind, name, steps } = await element.evaluate((one) => ({
+    steps: one.matches(".masthead .actions > button:nth-of-type(-n + 2)"),
     kind: one instanceof HTMLInputElement ? one.type : one.localName,
     name: one.getAttribute("aria-label") || one.id || one.textContent?.trim().slice(0, 30) || one.className,
   }));
@@ -171,7 +172,7 @@ async function use({ page, pick }: Walker, element: ElementHandle<HTMLElement>):
   await element.evaluate((one) =>
     one.dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true })),
   );
-  return `click on ${name}`;
+  return steps ? `back or forth by ${name}` : `click on ${name}`;
 }
 
 /** Drags across the picture by the mouse: a branch bends, or the view turns. */
@@ -198,7 +199,8 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
     } catch {
       const pressed = await page.evaluate(() => {
         const cancel = document.querySelector<HTMLElement>(".progress button");
-        const pause = document.querySelector<HTMLElement>(".play[aria-label='Pause']");
+        // What is not at rest for so long and tells of no progress plays.
+        const pause = document.querySelector<HTMLElement>(".play");
         (cancel ?? pause)?.click();
         return cancel !== null;
       });
@@ -216,7 +218,9 @@ export async function comparePlant(page: Page): Promise<number> {
   if (steps > 500 || (await page.locator("[aria-pressed=true].hold, .holds").count()) > 0) return 0;
   const { report, ...plant } = history(state.params).at(state.step ?? steps);
   const { length } = measure({ report, ...plant });
-  const expected = [quantityText(length, "m"), quantityText(report.gravityNumber, "")];
+  const language = await page.evaluate(() => document.documentElement.lang);
+  const local = (text: string) => (/^(de|fr|es)/.test(language) ? text.replace(".", ",") : text);
+  const expected = [quantityText(length, "m"), quantityText(report.gravityNumber, "")].map(local);
   const shown = await page.locator(".readout dd").allInnerTexts();
   const found = [shown[0]?.trim(), shown[2]?.trim().slice(0, expected[1]?.length)];
   if (found.join() !== expected.join()) {
@@ -234,10 +238,12 @@ function meaning(address: string): string {
 async function undoAndRedo(walker: Walker, before: string, counts: { cancelled: number }): Promise<number> {
   const { page } = walker;
   const after = page.url();
-  const button = (name: string) => page.getByRole("button", { name, exact: true });
+  // By their places: their names depend on the language.
+  const button = (name: "Undo" | "Redo") =>
+    page.locator(".masthead .actions > button").nth(name === "Undo" ? 0 : 1);
   if (await page.locator("dialog[open]").count()) return 0;
   if (!(await button("Undo").isEnabled())) return 0;
-  const press = async (name: string, address: string) => {
+  const press = async (name: "Undo" | "Redo", address: string) => {
     await button(name).evaluate((one: HTMLElement) => one.click());
     const leads = (url: URL) => meaning(url.href) === meaning(address);
     await page.waitForURL(leads, { timeout: 15_000, waitUntil: "commit" }).catch((error) => {

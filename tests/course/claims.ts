@@ -13,6 +13,7 @@ import {
   direction,
   height,
   inflections,
+  lowestTip,
   mass,
   moment,
   paramsOf,
@@ -333,6 +334,10 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       axis: { elevation: 60, segments: 80, segmentLength: 1 / 80, radius: 0.01 },
       material: { youngsModulus: (1000 * 9.81 * 4) / (30 * 1e-4) },
     });
+    const lowest = (roll: number, ratio: number) =>
+      lowestTip(plantOf("twist", { "branching.roll": roll, "material.shearModulusRatio": ratio }));
+    const [flat, crossed, soft] = [lowest(0, 0.1), lowest(90, 0.1), lowest(90, 0.02)];
+    const below = (height: number) => `${quantityText(-height, "m", 2)} below`;
     return [
       `with a gravity number of ${q.toFixed(0)}`,
       ["It has leaned over", column.report.stable === true && direction(column) < 0],
@@ -353,6 +358,21 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
         "one hangs forward, as we expect; one is bent over backwards",
         (all[0]?.[0] ?? 0) > 0 && (all.at(-1)?.[0] ?? 0) < 0,
       ],
+      ["about a tenth of that", paramsOf("twist").material.shearModulusRatio === 0.1],
+      [
+        "Figure 21 c of the paper, with forks whose planes stand crosswise",
+        paramsOf("twist").branching.roll === 90,
+      ],
+      `with a roll of 0 the lowest tip is ${below(flat)} the base`,
+      "Turn each fork by 90° against the one before",
+      `now the lowest tip is ${below(crossed)} it`,
+      [
+        "Lower the shear modulus ratio from 0.1 to 0.02. What happens to the twigs? And with a roll of 0?",
+        true,
+      ],
+      `The limbs twist five times as easily, and the lowest tip sinks to ${below(soft)} the base`,
+      ["With a roll of 0 nothing happens at all", lowest(0, 0.02) === flat],
+      "the paper's two dimensions",
       "Figure 13 d of the paper",
       ["with ten axes", paramsOf("stem").arrangement.count === 10],
       `What is special about ${degrees(paramsOf("stem").arrangement.divergence)}?`,

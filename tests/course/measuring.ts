@@ -70,3 +70,8 @@ export const upOrDown = (value: number) =>
 
 /** The sag of an axis that starts level, over its length. */
 export const sag = (plant: Plant) => -height(plant) / measure(plant).length;
+
+/** Height of the lowest tip above the base, m. */
+export function lowestTip({ polylines: { points, offsets } }: Plant): number {
+  return Math.min(...[...offsets.subarray(1)].map((next) => points[3 * (next - 1) + 1] ?? 0));
+}

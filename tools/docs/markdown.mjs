@@ -52,6 +52,7 @@ export function rendered(text, linked) {
     const code = markdown.utils.escapeHtml(content);
     return `<pre tabindex="0" role="group" aria-label="${info ? `Code, ${info}` : "Diagram"}"><code>${code}</code></pre>\n`;
   };
+  rules.code_block = rules.fence;
   return { html: markdown.render(text), sections };
 }
 

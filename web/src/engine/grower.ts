@@ -74,14 +74,14 @@ export class Grower {
         if (this.#wish) running.abort.abort();
         else this.#listener.onProgress(0);
       }, long);
-      try {
-        await this.#fulfil(wish, running);
-      } catch (error) {
-        if (!running.abort.signal.aborted) this.#recover(wish, error);
-      } finally {
-        clearTimeout(timer);
-        if (running.isLong) this.#listener.onProgress(null);
-      }
+      const failure = await this.#fulfil(wish, running).then(
+        () => null,
+        (error: unknown) => ({ error }),
+      );
+      clearTimeout(timer);
+      // Before a failure is told: the end of the work takes back what was said of it.
+      if (running.isLong) this.#listener.onProgress(null);
+      if (failure && !running.abort.signal.aborted) this.#recover(wish, failure.error);
     }
     this.#running = null;
     this.#listener.onRest();
