@@ -47,6 +47,8 @@ export async function walk(browser: Browser, site: string, seed: number, actions
   const random = randomFrom(seed);
   const context = await browser.newContext({
     viewport: { width: 700, height: 420 },
+    // A quarter of the pixels: what is looked at here are words and states.
+    deviceScaleFactor: 0.5,
     reducedMotion: "reduce",
   });
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
@@ -199,9 +201,9 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
     } catch {
       const pressed = await page.evaluate(() => {
         const cancel = document.querySelector<HTMLElement>(".progress button");
-        // What is not at rest for so long and tells of no progress plays.
-        const pause = document.querySelector<HTMLElement>(".play");
-        (cancel ?? pause)?.click();
+        const play = document.querySelector<HTMLElement>(".play");
+        const plays = /^(Pause|Anhalten|Pausa|暂停)$/.test(play?.ariaLabel ?? "");
+        (cancel ?? (plays ? play : null))?.click();
         return cancel !== null;
       });
       counts.cancelled += Number(pressed);
@@ -214,8 +216,9 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
 export async function comparePlant(page: Page): Promise<number> {
   const { state } = read(new URL(page.url()).search);
   const steps = stepsOf(state.params);
-  // A plant in a hand is bent by it; and what takes long was cancelled.
-  if (steps > 500 || (await page.locator("[aria-pressed=true].hold, .holds").count()) > 0) return 0;
+  // A plant in a hand is bent by it, one that is filmed passes through its ages, and what takes long was cancelled.
+  const isElsewhere = await page.locator("[aria-pressed=true].hold, .holds, dialog[open]").count();
+  if (steps > 500 || isElsewhere > 0) return 0;
   const { report, ...plant } = history(state.params).at(state.step ?? steps);
   const { length } = measure({ report, ...plant });
   const language = await page.evaluate(() => document.documentElement.lang);
