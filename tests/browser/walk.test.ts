@@ -1,4 +1,4 @@
-/** A thousand random actions; a hundred thousand are in the soak. */
+/** Two hundred random actions; a hundred thousand are in the soak. */
 import { afterAll, beforeAll, expect, inject, test } from "vitest";
 import { launchChromium } from "./chromium.ts";
 import { walk } from "./walk.ts";
@@ -10,12 +10,8 @@ beforeAll(async () => {
 });
 afterAll(() => browser.close());
 
-test.concurrent.each([1, 2])(
-  "500 random actions, seed %i, break nothing",
-  { timeout: 600_000 },
-  async (seed) => {
-    const found = await walk(browser, inject("site"), seed, Number(process.env.BOUGH_ACTIONS ?? 500));
-    console.log(found);
-    expect(found).toContain("0 broken");
-  },
-);
+test.each([1, 2])("100 random actions, seed %i, break nothing", { timeout: 600_000 }, async (seed) => {
+  const found = await walk(browser, inject("site"), seed, Number(process.env.BOUGH_ACTIONS ?? 100));
+  console.log(found);
+  expect(found).toContain("0 broken");
+});

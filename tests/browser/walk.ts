@@ -47,8 +47,6 @@ export async function walk(browser: Browser, site: string, seed: number, actions
   const random = randomFrom(seed);
   const context = await browser.newContext({
     viewport: { width: 700, height: 420 },
-    // A quarter of the pixels: what is looked at here are words and states.
-    deviceScaleFactor: 0.5,
     reducedMotion: "reduce",
   });
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
