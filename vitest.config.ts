@@ -28,8 +28,10 @@ export default defineConfig({
           // WebGL is computed on the CPU here: two pages at a time, one waits while the other draws, and time enough for slow
           // machines.
           maxWorkers: 2,
-          testTimeout: 60_000,
-          hookTimeout: 60_000,
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
+          // A page that was too slow is given another try, and said to be flaky; what fails twice fails.
+          retry: 1,
         },
       },
     ],
