@@ -1,7 +1,6 @@
 // The site: static files in dist/site that can be served from any folder of any host.
 
 import { join } from "node:path";
-import { buildDocs } from "./build-docs.mjs";
 import { buildWidget } from "./build-widget.mjs";
 import { bundle } from "./bundle.mjs";
 import { nodeCommand } from "./commands.mjs";
@@ -12,6 +11,8 @@ export async function buildSite() {
   await runCommand("building the site", [...nodeCommand("vite"), "build"]);
   await buildWidget();
   await buildCourseScript();
+  // It needs packages, which set-up may have to install before.
+  const { buildDocs } = await import("./build-docs.mjs");
   await buildDocs();
 }
 
