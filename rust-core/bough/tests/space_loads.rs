@@ -115,3 +115,45 @@ fn around_a_stem_every_tip_is_pulled_outward() {
         assert!((reach(&pulled, 1) / reach(&pulled, 3) - 1.0).abs() < 1e-3);
     }
 }
+
+/// A plant whose loads are taken off is held by the hand's force alone, whatever it was grown with and whatever weather there
+/// would be, in its plane as in space.
+#[test]
+fn without_its_loads_a_plant_is_held_by_one_force_alone() {
+    for space in [false, true] {
+        let mut params = Params::default();
+        params.solver.space = space;
+        params.growth.thickening = bough::params::Thickening::Pipes;
+        params.axis.radius = 0.002;
+        params.loads.tip_mass = 0.01;
+        (params.loads.wind, params.loads.snow, params.loads.removed) = (8.0, 3.0, true);
+        let mut history = History::new(&params).unwrap();
+        let [x, y, _] = history.at(40).tip(0);
+        let held = history.hold(39, [x, y - 0.1, 0.0]).unwrap();
+        let (force, tip) = (held.params.loads.forces[0].force, held.tip(0));
+        // The force bends the base by its lever about it.
+        let expected = (tip[0] * force[1] - tip[1] * force[0]).abs();
+        assert!(expected > 1e-4);
+        let found = held.segments.moment[0].abs();
+        assert!((found / expected - 1.0).abs() < 1e-8, "in space: {space}: {found} {expected}");
+    }
+}
+
+/// A bare trunk raises all axes, around a rigid stem and on one that bends.
+#[test]
+fn a_bare_trunk_raises_the_axes() {
+    for pattern in [ArrangementPattern::Stem, ArrangementPattern::FlexibleStem] {
+        let mut params = Params::default();
+        params.axis.segments = 4;
+        params.arrangement.pattern = pattern;
+        params.arrangement.count = 3;
+        params.arrangement.interval = 0;
+        params.loads.gravity = 0.0;
+        let low = grow(&params).unwrap();
+        params.arrangement.trunk = 0.7;
+        let high = grow(&params).unwrap();
+        for axis in 0..4 {
+            assert!((high.tip(axis)[1] - low.tip(axis)[1] - 0.7).abs() < 1e-12, "axis {axis}");
+        }
+    }
+}

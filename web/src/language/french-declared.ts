@@ -308,7 +308,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     apple: [
       "Une branche de pommier au printemps",
-      "Avant les fruits elle monte à quarante degrés, et son bois épaissit là où il est.",
+      "Avant les fruits elle monte à quarante-cinq degrés, et son bois épaissit là où il est.",
     ],
     "apple-fruit": [
       "Une branche de pommier chargée",

@@ -305,7 +305,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     apple: [
       "Ein Apfelzweig im Frühling",
-      "Vor der Frucht steigt er mit vierzig Grad auf, und sein Holz wird dicker, wo es steht.",
+      "Vor der Frucht steigt er mit fünfundvierzig Grad auf, und sein Holz wird dicker, wo es steht.",
     ],
     "apple-fruit": [
       "Ein Apfelzweig mit Früchten",

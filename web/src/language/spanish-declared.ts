@@ -308,7 +308,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     apple: [
       "Una rama de manzano en primavera",
-      "Antes del fruto sube a cuarenta grados, y su madera engrosa donde está.",
+      "Antes del fruto sube a cuarenta y cinco grados, y su madera engrosa donde está.",
     ],
     "apple-fruit": [
       "Una rama de manzano con fruta",

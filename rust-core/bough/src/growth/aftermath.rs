@@ -1,5 +1,6 @@
 //! What comes upon the grown plant: its fruit is picked, snow lies, wind blows, forces pull.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
 use glam::DVec3;
@@ -18,9 +19,24 @@ const SHARE: f64 = 0.25;
 /// Most times that forces are made to follow the shape. They come nearer by a constant factor, and Aitken's by a smaller one.
 const MOST_ROUNDS: u32 = 200;
 
-/// A shape that the weather meets: in its plane or in space. Loads are sums over everything beyond each rod.
-pub(super) trait Stance {
+/// A shape that loads act on: in its plane or in space. Loads are sums over everything beyond each rod.
+pub(super) trait Stance: Sized {
     type Loads: Clone + Default;
+    type Workspace: Default;
+    /// The loads that the plant grew with.
+    fn grown_with(growth: &Growth) -> &Self::Loads;
+    /// No loads.
+    fn none(growth: &Growth) -> Self::Loads;
+    /// Adds a force at the distal end of a rod, x, y, z in N.
+    fn act(growth: &Growth, loads: &mut Self::Loads, rod: usize, force: [f64; 3]);
+    /// Brings it to rest, from the loads that it was at rest with, to others.
+    fn settle(
+        &mut self,
+        growth: &Growth,
+        before: &Self::Loads,
+        after: &Self::Loads,
+        workspace: &mut Self::Workspace,
+    ) -> Outcome;
     /// Those loads and the weather's in the present shape.
     fn with_weather(&self, growth: &Growth, steady: &Self::Loads) -> Self::Loads;
     /// The largest torque of loads about any joint, N m, and the residual that the springs leave of them.
@@ -36,32 +52,21 @@ pub(super) type Search<'a, S> =
     dyn FnMut(&mut S, &<S as Stance>::Loads, &<S as Stance>::Loads) -> Outcome + 'a;
 
 impl Growth {
-    /// The loads of the grown plant that do not depend on how it stands: those it grew with, less the fruit if that is picked.
-    pub(super) fn steady_loads(&self, linkage: &Linkage) -> Loads {
-        let mut loads = self.state.loads.clone();
-        let up = into_plane(&self.params, [0.0, self.picked_weight(), 0.0]);
-        self.picked_from().for_each(|bearer| act(linkage, &mut loads, bearer, up));
+    /// The loads of the grown plant that do not depend on how it stands: those it grew with, less the fruit if that is picked;
+    /// none if all are taken off.
+    pub(super) fn steady_loads<S: Stance>(&self) -> S::Loads {
+        let given = &self.params.loads;
+        if given.removed {
+            return S::none(self);
+        }
+        let mut loads = S::grown_with(self).clone();
+        let fruit = given.tip_mass * given.gravity;
+        if given.picked && fruit > 0.0 {
+            for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
+                S::act(self, &mut loads, axis.bearer as usize, [0.0, fruit, 0.0]);
+            }
+        }
         loads
-    }
-
-    /// As [`Growth::steady_loads`], in space.
-    pub(super) fn steady_force(&self) -> Vec<DVec3> {
-        let mut force = self.state.force.clone();
-        let up = DVec3::new(0.0, self.picked_weight(), 0.0);
-        self.picked_from().for_each(|bearer| act_in_space(&self.state.linkage, &mut force, bearer, up));
-        force
-    }
-
-    /// Weight of what is picked at a tip, N.
-    fn picked_weight(&self) -> f64 {
-        let loads = &self.params.loads;
-        if loads.picked { loads.tip_mass * loads.gravity } else { 0.0 }
-    }
-
-    /// The rods that bear what is picked.
-    fn picked_from(&self) -> impl Iterator<Item = usize> {
-        let tips = self.state.axes.iter().filter(|axis| axis.is_tip());
-        tips.map(|axis| axis.bearer as usize).filter(|_| self.picked_weight() > 0.0)
     }
 
     /// Whether anything acts on the grown plant that did not act on the growing one.
@@ -70,48 +75,25 @@ impl Growth {
         !loads.forces.is_empty() || loads.picked || self.has_weather()
     }
 
-    /// The forces on segments that are there already, by the rod.
-    fn forces_on_rods(&self) -> impl Iterator<Item = (usize, [f64; 3])> {
-        let forces = self.params.loads.forces.iter();
-        forces.filter_map(|PointForce { segment, force }| Some((self.rod_of(*segment)?, *force)))
-    }
-
-    /// Lets everything act that comes after growth.
-    pub(super) fn endure(&self, linkage: &mut Linkage, loads: &mut Loads, report: &mut Report) {
+    /// Lets everything act that comes after growth. Segments that are not there yet are not pulled at.
+    pub(super) fn endure<S: Stance>(&self, shape: &mut S, loads: &mut S::Loads, report: &mut Report) {
         if !self.has_aftermath() {
             return;
         }
-        let mut steady = self.steady_loads(linkage);
-        for (rod, force) in self.forces_on_rods() {
-            act(linkage, &mut steady, rod, into_plane(&self.params, force));
+        let mut steady = self.steady_loads::<S>();
+        for PointForce { segment, force } in &self.params.loads.forces {
+            if let Some(rod) = self.rod_of(*segment) {
+                S::act(self, &mut steady, rod, *force);
+            }
         }
-        let settings = self.settings();
-        let mut workspace = Workspace::default();
-        let (outcome, borne) =
-            self.rest_in_weather(linkage, &self.state.loads, steady, &mut |linkage, before, after| {
-                settle(linkage, before, after, &[], settings, &mut workspace)
-            });
+        let mut workspace = S::Workspace::default();
+        let (outcome, borne) = self.rest_in_weather(shape, steady, &mut |shape, before, after| {
+            shape.settle(self, before, after, &mut workspace)
+        });
         *loads = borne;
-        note(report, outcome);
-    }
-
-    /// As [`Growth::endure`], in space.
-    pub(super) fn endure_in_space(&self, shape: &mut Shape, force: &mut Vec<DVec3>, report: &mut Report) {
-        if !self.has_aftermath() {
-            return;
-        }
-        let mut steady = self.steady_force();
-        for (rod, pull) in self.forces_on_rods() {
-            act_in_space(&self.state.linkage, &mut steady, rod, DVec3::from_array(pull));
-        }
-        let (settings, rods) = (self.settings(), self.rods_in_space());
-        let mut workspace = space::Workspace::default();
-        let (outcome, borne) =
-            self.rest_in_weather(shape, &self.state.force, steady, &mut |shape, before, after| {
-                space::settle(rods, shape, before, after, &[], settings, &mut workspace)
-            });
-        *force = borne;
-        note(report, outcome);
+        report.status = report.status.max(outcome.status);
+        report.residual = outcome.residual;
+        report.iterations += outcome.iterations;
     }
 
     /// How exactly to balance, so that there is room in the tolerance for forces that follow the shape.
@@ -120,8 +102,8 @@ impl Growth {
         Settings { tolerance: if self.has_weather() { (1.0 - 2.0 * SHARE) * tolerance } else { tolerance } }
     }
 
-    /// Brings the plant, which is in equilibrium with the loads that it was `grown_with`, to rest under `steady` loads and
-    /// weather, by `seek`, which takes loads to start from and to end with. Returns the loads that then act.
+    /// Brings the plant, which is in equilibrium with the loads that it grew with, to rest under `steady` loads and weather, by
+    /// `seek`, which takes loads to start from and to end with. Returns the loads that then act.
     ///
     /// Drag and snow depend on how the plant stands. In each search they are those of the shape before (so the Hessian, and
     /// what the report says of stability, take them as dead loads); then they follow the shape, over-relaxed as the last two
@@ -129,14 +111,13 @@ impl Growth {
     pub(super) fn rest_in_weather<S: Stance>(
         &self,
         shape: &mut S,
-        grown_with: &S::Loads,
         steady: S::Loads,
         seek: &mut Search<S>,
     ) -> (Outcome, S::Loads) {
         if !self.has_weather() {
-            return (seek(shape, grown_with, &steady), steady);
+            return (seek(shape, S::grown_with(self), &steady), steady);
         }
-        let (mut before, mut used) = (grown_with.clone(), shape.with_weather(self, &steady));
+        let (mut before, mut used) = (S::grown_with(self).clone(), shape.with_weather(self, &steady));
         let mut last_gap = S::Loads::default();
         let (mut relaxation, mut iterations) = (1.0, 0);
         let mut rounds = MOST_ROUNDS;
@@ -166,13 +147,6 @@ impl Growth {
     }
 }
 
-/// Adds what came of the aftermath to the report of growth.
-fn note(report: &mut Report, outcome: Outcome) {
-    report.status = report.status.max(outcome.status);
-    report.residual = outcome.residual;
-    report.iterations += outcome.iterations;
-}
-
 /// By which factor to change the relaxation of a fixed-point iteration whose last two steps were these.
 fn aitken<S: Stance>(gap: &S::Loads, last_gap: &S::Loads) -> f64 {
     let (last, both, now) = (S::dot(last_gap, last_gap), S::dot(last_gap, gap), S::dot(gap, gap));
@@ -182,6 +156,29 @@ fn aitken<S: Stance>(gap: &S::Loads, last_gap: &S::Loads) -> f64 {
 
 impl Stance for Linkage {
     type Loads = Loads;
+    type Workspace = Workspace;
+
+    fn grown_with(growth: &Growth) -> &Loads {
+        &growth.state.loads
+    }
+
+    fn none(growth: &Growth) -> Loads {
+        Loads::none(growth.rods())
+    }
+
+    fn act(growth: &Growth, loads: &mut Loads, rod: usize, force: [f64; 3]) {
+        act(&growth.state.linkage, loads, rod, into_plane(&growth.params, force));
+    }
+
+    fn settle(
+        &mut self,
+        growth: &Growth,
+        before: &Loads,
+        after: &Loads,
+        workspace: &mut Workspace,
+    ) -> Outcome {
+        settle(self, before, after, &[], growth.settings(), workspace)
+    }
 
     fn with_weather(&self, growth: &Growth, steady: &Loads) -> Loads {
         let mut angle = Vec::new();
@@ -223,6 +220,29 @@ impl Stance for Linkage {
 
 impl Stance for Shape {
     type Loads = Vec<DVec3>;
+    type Workspace = space::Workspace;
+
+    fn grown_with(growth: &Growth) -> &Vec<DVec3> {
+        &growth.state.force
+    }
+
+    fn none(growth: &Growth) -> Vec<DVec3> {
+        vec![DVec3::ZERO; growth.rods()]
+    }
+
+    fn act(growth: &Growth, loads: &mut Vec<DVec3>, rod: usize, force: [f64; 3]) {
+        act_in_space(&growth.state.linkage, loads, rod, DVec3::from_array(force));
+    }
+
+    fn settle(
+        &mut self,
+        growth: &Growth,
+        before: &Vec<DVec3>,
+        after: &Vec<DVec3>,
+        workspace: &mut space::Workspace,
+    ) -> Outcome {
+        space::settle(growth.rods_in_space(), self, before, after, &[], growth.settings(), workspace)
+    }
 
     fn with_weather(&self, growth: &Growth, steady: &Vec<DVec3>) -> Vec<DVec3> {
         let mut balance = Balance::default();

@@ -8,7 +8,7 @@ use core::f64::consts::PI;
 
 use super::axis::STEM;
 use super::fork::Fork;
-use crate::params::{ArrangementPattern, Params, Thickening, segments_of_generations, steps_of};
+use crate::params::{Arrangement, ArrangementPattern, Params, Thickening, segments_of_generations, steps_of};
 use crate::trigonometry::sin_cos;
 
 /// The finished axes of one generation, segment by segment from the base.
@@ -40,8 +40,8 @@ impl Plan {
         let generations = segments_of_generations(params).map(|segments| AxisPlan::new(params, segments));
         let fork = Fork::new(branching.exponent, branching.girth_ratio);
         let arrangement = &params.arrangement;
-        let stem = (arrangement.pattern == ArrangementPattern::FlexibleStem)
-            .then(|| AxisPlan::even(arrangement.count as usize, arrangement.spacing));
+        let stem =
+            (arrangement.pattern == ArrangementPattern::FlexibleStem).then(|| AxisPlan::stem(arrangement));
         Plan { generations: generations.collect(), fork, stem, steps: steps_of(params) as u32 }
     }
 
@@ -60,13 +60,12 @@ impl Plan {
 }
 
 impl AxisPlan {
-    /// Segments that are all as long and as thick.
-    fn even(segments: usize, length: f64) -> Self {
-        AxisPlan {
-            length: vec![length; segments],
-            radius: vec![1.0; segments],
-            radius_at: vec![1.0; segments + 1],
-        }
+    /// A stem of one segment below each axis, the lowest as much longer as its bare trunk, all as thick.
+    fn stem(arrangement: &Arrangement) -> Self {
+        let segments = arrangement.count as usize;
+        let mut length = vec![arrangement.spacing; segments];
+        length.iter_mut().take(1).for_each(|lowest| *lowest += arrangement.trunk);
+        AxisPlan { length, radius: vec![1.0; segments], radius_at: vec![1.0; segments + 1] }
     }
 
     fn new(params: &Params, segments: u32) -> Self {

@@ -45,13 +45,9 @@ impl Growth {
             _ => (self.shown(), [0.0; 2]),
         };
         let local = into_plane(&self.params, place);
-        let steady = match self.params.loads.removed {
-            true => Loads::none(self.rods()),
-            false => self.steady_loads(&linkage),
-        };
         let mut held = Held::default();
         let (outcome, mut loads) =
-            self.rest_in_weather(&mut linkage, &self.state.loads, steady, &mut |linkage, _, loads| {
+            self.rest_in_weather(&mut linkage, self.steady_loads::<Linkage>(), &mut |linkage, _, loads| {
                 held = hold(linkage, loads, rod, local, start, settings);
                 start = held.force;
                 held.outcome

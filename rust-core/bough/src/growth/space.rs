@@ -103,17 +103,25 @@ impl Growth {
         self.laid.extend(joints.flatten());
     }
 
+    /// As [`Growth::shown`], in space.
+    fn shown_in_space(&self) -> Shape {
+        let mut shape = self.state.shape.clone();
+        if self.params.loads.removed {
+            shape.deviation.fill([0.0; 3]);
+        }
+        shape
+    }
+
     /// The plant as it stands, in space.
     pub(super) fn plant_in_space(&self) -> Plant {
-        let mut shape = self.state.shape.clone();
+        let mut shape = self.shown_in_space();
         let mut force = self.state.force.clone();
         let mut report = self.state.report;
         if self.params.loads.removed {
-            shape.deviation.fill([0.0; 3]);
             force.fill(DVec3::ZERO);
             report.residual = 0.0;
         } else {
-            self.endure_in_space(&mut shape, &mut force, &mut report);
+            self.endure(&mut shape, &mut force, &mut report);
         }
         self.seen_in_space(&shape, &force, report)
     }
@@ -150,14 +158,13 @@ impl Growth {
             {
                 (shape, force)
             }
-            _ => (self.state.shape.clone(), DVec3::ZERO),
+            _ => (self.shown_in_space(), DVec3::ZERO),
         };
         let rods = self.rods_in_space();
         let place = DVec3::from_array(place);
         let (mut stable, mut pull) = (false, DVec3::ZERO);
-        let steady = self.steady_force();
         let (outcome, mut force) =
-            self.rest_in_weather(&mut shape, &self.state.force, steady, &mut |shape, _, loads| {
+            self.rest_in_weather(&mut shape, self.steady_loads::<Shape>(), &mut |shape, _, loads| {
                 let held = hold(rods, shape, loads, rod, place, start, settings);
                 (start, pull, stable) = (held.force, held.force, held.stable);
                 held.outcome

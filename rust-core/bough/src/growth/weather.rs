@@ -37,9 +37,10 @@ pub fn wind_force(wind: [f64; 3], direction: [f64; 3], area: f64) -> [f64; 3] {
 }
 
 impl Growth {
-    /// Whether snow lies or wind blows.
+    /// Whether snow lies or wind blows: not where all loads are taken off.
     pub(super) fn has_weather(&self) -> bool {
-        self.params.loads.snow > 0.0 || self.params.loads.wind > 0.0
+        let loads = &self.params.loads;
+        !loads.removed && (loads.snow > 0.0 || loads.wind > 0.0)
     }
 
     /// Forces of snow and wind at the distal ends of the rods, N; `direction` is where each rod points there. Drag on leaves is

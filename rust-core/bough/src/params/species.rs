@@ -143,7 +143,7 @@ pub(super) const SPECIES: &[Preset] = &[
     preset(
         "apple",
         "An apple branch in spring",
-        "Before the fruit it rises at forty degrees, and its wood thickens where it stands.",
+        "Before the fruit it rises at forty-five degrees, and its wood thickens where it stands.",
         apple!(),
         None,
     ),
