@@ -19,6 +19,7 @@ import { beside, pages } from "./docs/pages.mjs";
 import { escaped, framed } from "./docs/template.mjs";
 import { Obstacle } from "./obstacle.mjs";
 import { root, site } from "./paths.mjs";
+import { stylesheet } from "./stylesheet.mjs";
 
 const source = join(root, "web", "docs");
 
@@ -42,7 +43,7 @@ export async function buildDocs(outDir = site) {
   for (const page of pages) docs.page(page);
   docs.linkedFiles();
   await docs.search();
-  copyFileSync(join(source, "docs.css"), join(folder, "docs.css"));
+  writeFileSync(join(folder, "docs.css"), stylesheet(join(source, "docs.css")));
   docs.offline();
   console.log(
     `✓ building the docs: ${pages.length} pages, ${checkLinks(outDir, folder)} links lead somewhere`,

@@ -1,12 +1,12 @@
 /** Plants that lie in no plane: seen, turned, dragged, coloured, replayed and explained like any other. */
-import type { Browser, Page } from "playwright";
+import type { Browser } from "playwright";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { grow, init, type ParamsInput } from "../../web/src/package/node.ts";
 import { write } from "../../web/src/params/link.ts";
 import { complete } from "../../web/src/params/params.ts";
 import { initialState } from "../../web/src/params/state.ts";
 import { launchChromium } from "./chromium.ts";
-import { placeOf, query, readTip, settled, visit } from "./visit.ts";
+import { placeOf, pull, query, readTip, settled, visit } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -43,17 +43,6 @@ function lastEnd(
   return { place: [...polylines.points.subarray(point, point + 3)], segment };
 }
 
-async function takeHold(page: Page, from: readonly number[], by: { x: number; y: number }) {
-  const start = await placeOf(page, from);
-  const end = { x: start.x + by.x, y: start.y + by.y };
-  await page.mouse.move(start.x, start.y);
-  await page.mouse.down();
-  await page.mouse.move(end.x, end.y, { steps: 6 });
-  await page.locator(".pull data").waitFor();
-  await settled(page);
-  return end;
-}
-
 it.each([
   ["forks in space", bush],
   ["axes on a stem that bends", stem],
@@ -62,7 +51,9 @@ it.each([
   const tip = await readTip(page);
   const { place, segment } = lastEnd(params);
   expect(Math.abs(place[2] ?? 0)).toBeGreaterThan(0.01);
-  const pointer = await takeHold(page, place, { x: 15, y: 25 });
+  const start = await placeOf(page, place);
+  const pointer = { x: start.x + 15, y: start.y + 25 };
+  await pull(page, start, pointer);
   const shown = (await page.locator(".pull data").getAttribute("value")) ?? "";
   const [x = 0, y = 0, z = 0] = shown.split(",").map(Number);
   await page

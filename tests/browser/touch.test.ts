@@ -4,7 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { grow, init } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
 import { Pixels } from "./pixels.ts";
-import { placeOf, query, readTip, settled, visit } from "./visit.ts";
+import { placeOf, pull, query, readTip, settled, visit } from "./visit.ts";
 
 type Point = [x: number, y: number, z: number];
 
@@ -50,11 +50,7 @@ async function shownForce(page: Page): Promise<Point> {
 
 async function drag(page: Page, from: Point, to: Point): Promise<{ x: number; y: number }> {
   const [start, end] = [await placeOf(page, from), await placeOf(page, to)];
-  await page.mouse.move(start.x, start.y);
-  await page.mouse.down();
-  await page.mouse.move(end.x, end.y, { steps: 6 });
-  await page.locator(".pull data").waitFor();
-  await settled(page);
+  await pull(page, start, end);
   return end;
 }
 

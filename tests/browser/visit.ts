@@ -131,3 +131,12 @@ export async function type(page: Page, name: RegExp | string, text: string): Pro
   await box(page, name).press("Enter");
   await settled(page);
 }
+
+/** Takes hold of the plant at a place on the page and pulls it to another; the button stays down. */
+export async function pull(page: Page, from: { x: number; y: number }, to: { x: number; y: number }) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 6 });
+  await page.locator(".pull data").waitFor();
+  await settled(page);
+}

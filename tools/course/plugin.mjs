@@ -2,6 +2,7 @@
 
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
+import { stylesheet } from "../stylesheet.mjs";
 import { builtScripts, courseFolder, coursePages } from "./pages.mjs";
 
 const sources = ["element/module.ts", "course/main.ts"];
@@ -24,7 +25,7 @@ export function course() {
       const emit = (/** @type {string} */ file, /** @type {string | Uint8Array} */ source) =>
         this.emitFile({ type: "asset", fileName: `course/${file}`, source });
       for (const [file, html] of coursePages(builtScripts)) emit(file, html);
-      emit("course.css", readFileSync(join(courseFolder, "course.css"), "utf8"));
+      emit("course.css", stylesheet(join(courseFolder, "course.css")));
       for (const poster of readdirSync(join(courseFolder, "posters"))) {
         emit(`posters/${poster}`, readFileSync(join(courseFolder, "posters", poster)));
       }
