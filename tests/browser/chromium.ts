@@ -1,1 +1,1 @@
-export { launchChromium } from "../../tools/chromium.mjs";
+export { complaint, launchChromium } from "../../tools/chromium.mjs";

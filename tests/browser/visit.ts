@@ -2,6 +2,7 @@
 import type { Browser, BrowserContextOptions, Locator, Page } from "playwright";
 import { inject } from "vitest";
 import type { Drawn } from "../../web/src/scene/stage.ts";
+import { complaint } from "./chromium.ts";
 
 export interface Visit {
   readonly page: Page;
@@ -44,9 +45,8 @@ export function listen(page: Page): string[] {
   const problems: string[] = [];
   const site = new URL(inject("site")).origin;
   page.on("console", (message) => {
-    const isOurs = message.text().startsWith("Service Worker registration blocked by Playwright");
-    if (!isOurs && ["error", "warning"].includes(message.type()))
-      problems.push(`${message.type()}: ${message.text()}`);
+    const said = complaint(message);
+    if (said) problems.push(said);
   });
   page.on("pageerror", (error) => problems.push(`exception: ${error.stack}`));
   page.on("requestfailed", (request) => {

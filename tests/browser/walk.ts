@@ -9,6 +9,7 @@ import { history, init } from "../../web/src/package/node.ts";
 import { read, write } from "../../web/src/params/link.ts";
 import { stepsOf } from "../../web/src/params/params.ts";
 import { randomFrom } from "../random.ts";
+import { complaint } from "./chromium.ts";
 
 /** What is typed: numbers of every kind, and what is no number. */
 const texts = [
@@ -41,8 +42,16 @@ interface Walker {
   readonly chance: (share: number) => boolean;
 }
 
+/** A walk: where its chances come from, how many actions it has, and whether the picture is painted on the way. */
+export interface Way {
+  readonly seed: number;
+  readonly actions: number;
+  readonly painted: boolean;
+}
+
 /** Takes that many actions; throws with the last of them when something does not hold. Returns how often what was checked. */
-export async function walk(browser: Browser, site: string, seed: number, actions: number): Promise<string> {
+export async function walk(browser: Browser, site: string, way: Way): Promise<string> {
+  const { seed, actions, painted } = way;
   await init();
   const random = randomFrom(seed);
   const context = await browser.newContext({
@@ -61,6 +70,7 @@ export async function walk(browser: Browser, site: string, seed: number, actions
   const done: string[] = [];
   const counts = { compared: 0, undone: 0, cancelled: 0 };
   try {
+    if (!painted) await page.addInitScript(paintNothing);
     await page.goto(site);
     await rest(walker, counts);
     for (let action = 0; action < actions; action++) {
@@ -85,14 +95,16 @@ export async function walk(browser: Browser, site: string, seed: number, actions
     await context.close();
   }
   const { compared, undone, cancelled } = counts;
-  return `seed ${seed}: ${done.length} actions, plant and address compared ${compared} times, ${undone} undone and redone, ${cancelled} long ones cancelled: 0 broken`;
+  const how = painted ? "" : " without paint";
+  return `seed ${seed}: ${done.length} actions${how}, plant and address compared ${compared} times, ${undone} undone and redone, ${cancelled} long ones cancelled: 0 broken`;
 }
 
 /** Whatever the page complains of. */
 function complaints(page: Page): string[] {
   const found: string[] = [];
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) found.push(`${message.type()}: ${message.text()}`);
+    const said = complaint(message);
+    if (said) found.push(said);
   });
   page.on("pageerror", (error) => found.push(`exception: ${error.stack}`));
   page.on("dialog", (dialog) => {
@@ -100,6 +112,18 @@ function complaints(page: Page): string[] {
     void dialog.dismiss();
   });
   return found;
+}
+
+/**
+ * Runs in the page before its own code. Where the processor paints the picture, most of a walk is painting, which nothing here
+ * looks at: all calls of WebGL go through but those that fill pixels.
+ */
+function paintNothing(): void {
+  const { prototype } = WebGL2RenderingContext;
+  prototype.drawElements = () => {};
+  prototype.drawArrays = () => {};
+  prototype.drawElementsInstanced = () => {};
+  prototype.drawArraysInstanced = () => {};
 }
 
 /** One action; returns what it was. */

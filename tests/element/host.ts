@@ -5,6 +5,7 @@ import { createServer } from "node:http";
 import { extname, join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright";
 import { site } from "../../tools/paths.mjs";
+import { complaint } from "../browser/chromium.ts";
 
 const types: Readonly<Record<string, string>> = {
   ".css": "text/css",
@@ -89,7 +90,8 @@ export async function open(
   const page = await context.newPage();
   const problems: string[] = [];
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) problems.push(`${message.type()}: ${message.text()}`);
+    const said = complaint(message);
+    if (said) problems.push(said);
   });
   page.on("pageerror", (error) => problems.push(`exception: ${error.stack}`));
   page.on("request", (request) => {

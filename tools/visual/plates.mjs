@@ -5,7 +5,7 @@ import { mkdir, mkdtemp, readFile, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { build, preview, runnerImport } from "vite";
-import { launchChromium } from "../chromium.mjs";
+import { complaint, launchChromium } from "../chromium.mjs";
 import { Obstacle } from "../obstacle.mjs";
 import { root } from "../paths.mjs";
 import { difference, isSame, limits } from "./difference.mjs";
@@ -94,7 +94,8 @@ async function plate(page, site, id, { screen, theme }, update) {
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) errors.push(message.text());
+    const said = complaint(message);
+    if (said) errors.push(said);
   });
   await page.goto(`${site}?preset=${id}&theme=${theme}`);
   await page.addStyleTag({ content: onlyPicture });

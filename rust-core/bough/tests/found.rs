@@ -8,7 +8,7 @@ use bough::angle::Degrees;
 use bough::mechanics::Status;
 use bough::params::{BranchingPattern, Discretization, Params, PointForce, Thickening, check};
 use bough::{History, grow};
-use soundness::{check_held, check_mirrored, check_plant};
+use soundness::{check_held, check_mirrored, check_moments, check_plant};
 
 /// One segment, which a force pulls until it points along it.
 fn hair(radius: f64, length: f64) -> Params {
@@ -128,4 +128,64 @@ fn a_hair_wound_up_and_pulled_says_what_rounding_leaves() {
     params.tropism.strength = 305229.52121070755;
     params.loads.forces[0].force = [-0.7503389582715565, 891.1491725448201, 0.0];
     check_plant(&grow(&params).unwrap());
+}
+
+/// Its weight was taken from sums in which it had left its rounding, a million times the tolerance.
+#[test]
+fn heavy_fruit_that_is_picked_leaves_nothing_behind() {
+    for space in [false, true] {
+        let mut params = Params::default();
+        params.axis.segments = 6;
+        params.loads.tip_mass = 1e9;
+        params.loads.picked = true;
+        params.solver.space = space;
+        let plant = grow(&params).unwrap();
+        if space { check_moments(&plant) } else { check_plant(&plant) }
+        // It keeps no bend of that time: what is left is the plant that never bore fruit.
+        params.loads.tip_mass = 0.0;
+        let light = grow(&params).unwrap();
+        for (left, never) in plant.polylines.points.iter().zip(&light.polylines.points) {
+            assert!((left - never).abs() < 1e-9, "{left} is not {never}");
+        }
+    }
+}
+
+/// When a load is raised in parts, the last was `before + (after - before)`: of a heavy `before` rounding was left.
+#[test]
+fn a_load_that_is_raised_in_parts_ends_as_itself() {
+    let mut params = Params::default();
+    params.axis.segments = 2;
+    params.axis.segment_length = 1e-6;
+    params.axis.radius = 1e-7;
+    params.axis.elevation = Degrees(-180.0);
+    params.axis.rest_curvature = -1e6;
+    params.material.youngs_modulus = 1e15;
+    params.loads.gravity = 1e6;
+    params.loads.tip_mass = 1e9;
+    params.loads.tip_force = [-1e12, 5817.09132937437, 0.0];
+    params.loads.forces = vec![PointForce { segment: 0, force: [1e3, 1e3, 0.0] }];
+    params.loads.picked = true;
+    params.solver.discretization = Discretization::Paper;
+    params.solver.tolerance = 1e-15;
+    check_plant(&grow(&params).unwrap());
+}
+
+/// The wind was made to follow its shape up to a share of its loads' torques, of which the hand left next to nothing; and the
+/// report told what was left over under the wind of the round before.
+#[test]
+fn a_limp_plant_that_is_held_in_the_wind_is_in_balance() {
+    let mut params = Params::default();
+    params.axis.segments = 8;
+    params.material.youngs_modulus = 0.013471370006941845;
+    params.loads.wind = 0.00816068394368714;
+    params.solver.tolerance = 0.0037372230571776546;
+    let mut history = History::new(&params).unwrap();
+    for place in [[0.12, 0.05, 0.0], [-0.05, 0.1, 0.0], [0.1, -0.12, 0.0]] {
+        let free = history.at(6);
+        if let Some(held) = history.hold(4, place) {
+            assert!(held.report.residual <= params.solver.tolerance, "{}", held.report.residual);
+            check_held(&held);
+        }
+        assert_eq!(history.at(6).fingerprint(), free.fingerprint());
+    }
 }

@@ -1,6 +1,7 @@
 /** Opening the built course in real Chromium. */
 import type { Browser, BrowserContextOptions, Page } from "playwright";
 import { inject } from "vitest";
+import { complaint } from "../../browser/chromium.ts";
 
 /** A page of the course that is open, and what went wrong on it. */
 export interface Reader {
@@ -24,7 +25,8 @@ export async function open(
   const problems: string[] = [];
   page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) problems.push(message.text());
+    const said = complaint(message);
+    if (said) problems.push(said);
   });
   page.on("request", (request) => {
     const { hostname, protocol } = new URL(request.url());

@@ -53,8 +53,12 @@ export const shortcuts: readonly Shortcut[] = [
 /** Where it is kept that single keys are unwanted: by people who speak to their computer, say. */
 const storageKey = "bough-single-keys";
 
+/** What was chosen on this visit: a browser that keeps nothing must still do as it is told. */
+let chosen: boolean | null = null;
+
 /** Whether keys without Ctrl are shortcuts. */
 export function singleKeysAreOn(): boolean {
+  if (chosen !== null) return chosen;
   try {
     return localStorage.getItem(storageKey) !== "off";
   } catch {
@@ -64,10 +68,11 @@ export function singleKeysAreOn(): boolean {
 
 /** Turns them on or off, for good where the browser keeps such things. */
 export function turnSingleKeys(on: boolean): void {
+  chosen = on;
   try {
     localStorage.setItem(storageKey, on ? "on" : "off");
   } catch {
-    // A browser that keeps nothing asks again next time.
+    // It will ask again next time.
   }
 }
 

@@ -25,6 +25,8 @@ pub(super) trait Stance: Sized {
     type Workspace: Default;
     /// The loads that the plant grew with.
     fn grown_with(growth: &Growth) -> &Self::Loads;
+    /// Those of the plane or those in space, whichever are its own.
+    fn of(loads: Loads, force: Vec<DVec3>) -> Self::Loads;
     /// No loads.
     fn none(growth: &Growth) -> Self::Loads;
     /// Adds a force at the distal end of a rod, x, y, z in N.
@@ -47,9 +49,10 @@ pub(super) trait Stance: Sized {
     fn dot(loads: &Self::Loads, other: &Self::Loads) -> f64;
 }
 
-/// Brings a shape to rest, from the loads that it was at rest with, to others.
-pub(super) type Search<'a, S> =
-    dyn FnMut(&mut S, &<S as Stance>::Loads, &<S as Stance>::Loads) -> Outcome + 'a;
+/// Brings a shape to rest, from the loads that it was at rest with, to others; beside the outcome it gives the loads by which it
+/// holds the shape (none by default).
+pub(super) type Search<'a, S> = dyn FnMut(&mut S, &<S as Stance>::Loads, &<S as Stance>::Loads) -> (Outcome, <S as Stance>::Loads)
+    + 'a;
 
 impl Growth {
     /// The loads of the grown plant that do not depend on how it stands: those it grew with, less the fruit if that is picked;
@@ -59,14 +62,13 @@ impl Growth {
         if given.removed {
             return S::none(self);
         }
-        let mut loads = S::grown_with(self).clone();
-        let fruit = given.tip_mass * given.gravity;
-        if given.picked && fruit > 0.0 {
-            for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
-                S::act(self, &mut loads, axis.bearer as usize, [0.0, fruit, 0.0]);
-            }
+        if given.picked && given.tip_mass > 0.0 {
+            // Put together anew: to take the fruit from the sums would leave their rounding, and heavy fruit has much.
+            let (mut loads, mut force) = (Loads::none(0), Vec::new());
+            self.load(0.0, &mut loads, &mut force);
+            return S::of(loads, force);
         }
-        loads
+        S::grown_with(self).clone()
     }
 
     /// Whether anything acts on the grown plant that did not act on the growing one.
@@ -88,7 +90,7 @@ impl Growth {
         }
         let mut workspace = S::Workspace::default();
         let (outcome, borne) = self.rest_in_weather(shape, steady, &mut |shape, before, after| {
-            shape.settle(self, before, after, &mut workspace)
+            (shape.settle(self, before, after, &mut workspace), S::Loads::default())
         });
         *loads = borne;
         report.status = report.status.max(outcome.status);
@@ -103,7 +105,7 @@ impl Growth {
     }
 
     /// Brings the plant, which is in equilibrium with the loads that it grew with, to rest under `steady` loads and weather, by
-    /// `seek`, which takes loads to start from and to end with. Returns the loads that then act.
+    /// `seek`, which takes loads to start from and to end with. Returns the loads that then act, those that hold it among them.
     ///
     /// Drag and snow depend on how the plant stands. In each search they are those of the shape before (so the Hessian, and
     /// what the report says of stability, take them as dead loads); then they follow the shape, over-relaxed as the last two
@@ -115,21 +117,27 @@ impl Growth {
         seek: &mut Search<S>,
     ) -> (Outcome, S::Loads) {
         if !self.has_weather() {
-            return (seek(shape, S::grown_with(self), &steady), steady);
+            let (outcome, hold) = seek(shape, S::grown_with(self), &steady);
+            let mut borne = steady;
+            S::add(&mut borne, &hold, 1.0);
+            return (outcome, borne);
         }
         let (mut before, mut used) = (S::grown_with(self).clone(), shape.with_weather(self, &steady));
         let mut last_gap = S::Loads::default();
         let (mut relaxation, mut iterations) = (1.0, 0);
         let mut rounds = MOST_ROUNDS;
         loop {
-            let mut outcome = seek(shape, &before, &used);
+            let (mut outcome, hold) = seek(shape, &before, &used);
             iterations += outcome.iterations;
             outcome.iterations = iterations;
             let fresh = shape.with_weather(self, &steady);
             let mut gap = fresh.clone();
             S::add(&mut gap, &used, -1.0);
             let (off, _) = shape.torques(self, &gap);
-            let (largest, residual) = shape.torques(self, &fresh);
+            // What holds a floppy plant may leave very little of the torques of its loads.
+            let mut borne = fresh;
+            S::add(&mut borne, &hold, 1.0);
+            let (largest, residual) = shape.torques(self, &borne);
             outcome.residual = residual;
             let near = off <= SHARE * self.params.solver.tolerance * largest;
             rounds -= 1;
@@ -137,7 +145,7 @@ impl Growth {
                 outcome.status = outcome.status.max(Status::MaxIterations);
             }
             if near || outcome.status != Status::Converged {
-                return (outcome, fresh);
+                return (outcome, borne);
             }
             relaxation *= aitken::<S>(&gap, &last_gap);
             before.clone_from(&used);
@@ -160,6 +168,10 @@ impl Stance for Linkage {
 
     fn grown_with(growth: &Growth) -> &Loads {
         &growth.state.loads
+    }
+
+    fn of(loads: Loads, _: Vec<DVec3>) -> Loads {
+        loads
     }
 
     fn none(growth: &Growth) -> Loads {
@@ -224,6 +236,10 @@ impl Stance for Shape {
 
     fn grown_with(growth: &Growth) -> &Vec<DVec3> {
         &growth.state.force
+    }
+
+    fn of(_: Loads, force: Vec<DVec3>) -> Vec<DVec3> {
+        force
     }
 
     fn none(growth: &Growth) -> Vec<DVec3> {

@@ -15,10 +15,10 @@ impl Growth {
         if self.bears_leaves(rod) { self.params.loads.foliage * self.state.linkage.length[rod] } else { 0.0 }
     }
 
-    /// Adds what leaves and fruit weigh to the masses lumped at the rods' distal ends, kg.
-    pub(super) fn add_burden(&self, lumped: &mut [f64]) {
+    /// Adds what leaves and so much fruit at every tip weigh to the masses lumped at the rods' distal ends, kg.
+    pub(super) fn add_burden(&self, fruit: f64, lumped: &mut [f64]) {
         for axis in self.state.axes.iter().filter(|axis| axis.is_tip()) {
-            lumped[axis.bearer as usize] += self.params.loads.tip_mass;
+            lumped[axis.bearer as usize] += fruit;
         }
         if self.params.loads.foliage > 0.0 {
             for rod in 0..lumped.len() {

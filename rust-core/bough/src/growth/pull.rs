@@ -46,24 +46,25 @@ impl Growth {
         };
         let local = into_plane(&self.params, place);
         let mut held = Held::default();
-        let (outcome, mut loads) =
+        let (outcome, loads) =
             self.rest_in_weather(&mut linkage, self.steady_loads::<Linkage>(), &mut |linkage, _, loads| {
                 held = hold(linkage, loads, rod, local, start, settings);
                 start = held.force;
-                held.outcome
+                let mut pull = Loads::none(linkage.len());
+                act(linkage, &mut pull, rod, held.force);
+                (held.outcome, pull)
             });
         if outcome.status != Status::Converged {
             return None;
         }
         let force = out_of_plane(&self.params, held.force);
-        act(&linkage, &mut loads, rod, held.force);
         let mut elimination = Elimination::default();
         elimination.evaluate(&linkage, &loads);
         let grown = self.state.report.status == Status::Converged;
         let stable = grown.then(|| elimination.eliminate(&linkage, 0.0) == 0);
         let iterations = self.state.report.iterations + outcome.iterations;
         let report = Report {
-            residual: held.outcome.residual,
+            residual: elimination.relative_residual(),
             stable,
             iterations,
             gravity_number: self.gravity_number(),

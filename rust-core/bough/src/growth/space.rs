@@ -163,16 +163,17 @@ impl Growth {
         let rods = self.rods_in_space();
         let place = DVec3::from_array(place);
         let (mut stable, mut pull) = (false, DVec3::ZERO);
-        let (outcome, mut force) =
+        let (outcome, force) =
             self.rest_in_weather(&mut shape, self.steady_loads::<Shape>(), &mut |shape, _, loads| {
                 let held = hold(rods, shape, loads, rod, place, start, settings);
                 (start, pull, stable) = (held.force, held.force, held.stable);
-                held.outcome
+                let mut by = vec![DVec3::ZERO; self.rods()];
+                act_in_space(&self.state.linkage, &mut by, rod, pull);
+                (held.outcome, by)
             });
         if outcome.status != Status::Converged {
             return None;
         }
-        act_in_space(&self.state.linkage, &mut force, rod, pull);
         let iterations = self.state.report.iterations + outcome.iterations;
         let mut plant = self.seen_in_space(&shape, &force, Report { iterations, ..self.state.report });
         plant.report.stable = Some(stable);

@@ -23,7 +23,7 @@ impl Growth {
             let mass = self.mass(rod);
             self.shares(rod).for_each(|(node, share)| lumped[node] += share * mass);
         }
-        self.add_burden(&mut lumped);
+        self.add_burden(self.params.loads.tip_mass, &mut lumped);
         lumped
     }
 
@@ -31,17 +31,24 @@ impl Growth {
     pub(super) fn weigh(&mut self) {
         core::mem::swap(&mut self.state.loads, &mut self.before);
         core::mem::swap(&mut self.state.force, &mut self.force_before);
-        let rods = self.rods();
         let mut loads = core::mem::take(&mut self.state.loads);
+        let mut force = core::mem::take(&mut self.state.force);
+        self.load(self.params.loads.tip_mass, &mut loads, &mut force);
+        self.state.loads = loads;
+        self.state.force = force;
+    }
+
+    /// All loads on the present plant, with a mass of fruit at every tip, kg: in its plane, or in space.
+    pub(super) fn load(&self, fruit: f64, loads: &mut Loads, force: &mut Vec<DVec3>) {
+        let rods = self.rods();
         for array in [&mut loads.x, &mut loads.y] {
             array.clear();
             array.resize(rods, 0.0);
         }
         // Until its turn, the x of a rod holds the mass beyond it.
-        self.add_burden(&mut loads.x);
-        self.state.loads = loads;
+        self.add_burden(fruit, &mut loads.x);
         let params = &self.params;
-        let State { step, linkage, loads, force, pipes, axes, .. } = &mut self.state;
+        let State { step, linkage, pipes, axes, .. } = &self.state;
         let Loads { x, y } = loads;
         // Without thickening every rod has one pipe: none more in any step.
         let (step, each) = match params.growth.thickening {

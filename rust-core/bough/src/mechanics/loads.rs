@@ -39,12 +39,13 @@ impl Loads {
         }
     }
 
-    /// Writes `from + share * (to - from)` into `self`. Rods that `from` does not have yet carried nothing.
+    /// Writes what lies between `from` and `to` into `self`; a share of 1 is `to` itself, however heavy `from` was. Rods that
+    /// `from` does not have yet carried nothing.
     pub(super) fn blend(&mut self, from: &Loads, to: &Loads, share: f64) {
         let mix = |from: &[f64], to: &[f64], mixed: &mut Vec<f64>| {
             let before = from.iter().copied().chain(core::iter::repeat(0.0));
             mixed.clear();
-            mixed.extend(to.iter().zip(before).map(|(to, from)| from + share * (to - from)));
+            mixed.extend(to.iter().zip(before).map(|(to, from)| (1.0 - share) * from + share * to));
         };
         mix(&from.x, &to.x, &mut self.x);
         mix(&from.y, &to.y, &mut self.y);
