@@ -45,7 +45,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
         "Without gravity the branch is straight",
         inflections(still) === 0 && Math.max(...still.segments.curvature.map(Math.abs)) < 1e-9,
       ],
-      `it always grew in the direction that it seeks, ${degrees(direction(still), 0)} upwards`,
+      `it starts in the direction that it seeks, ${degrees(direction(still), 0)} upwards, and keeps to it`,
       ["Without the tropism it only hangs: a simple arch", inflections(hanging) === 0],
       ["its tip points down", direction(hanging) < 0],
     ];
@@ -64,12 +64,15 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
     return [
       ["which the paper puts at its far end", solver.discretization === "paper" && axis.segments === 1],
       `One segment, ${quantityText(axis.segmentLength, "m")} long, on one spring`,
-      ["with no weight, the spring would hold it level", direction(plantOf("joint", weightless)) === 0],
-      `For the rod above $\\kappa$ is ${digits(kappa)} N m (chapter 3`,
-      `It comes to rest ${degrees(-direction(one))} below the horizontal, with ${digits(kappa * theta)} N m on both sides`,
-      // Both sides, indeed: to the solver's tolerance.
-      ["both sides of the equation", Math.abs(kappa * theta - torque) < 1e-9],
-      `Double Young's modulus, to ${quantityText(2 * material.youngsModulus, "Pa")}`,
+      ["level, to begin with", direction(plantOf("joint", weightless)) === 0],
+      `For the rod above $\\kappa$ is ${digits(kappa)} N m for a radian (chapter 3`,
+      `its mass is ${quantityText(mass(one), "kg")}.`,
+      `It comes to rest ${degrees(-direction(one))} below the horizontal.`,
+      `That is ${digits(theta)} radians, which cost ${digits(kappa * theta)} N m.`,
+      `The weight, ${digits(mass(one) * one.params.loads.gravity)} N, has a lever of ${digits(measure(one).tip[0])} m there: ${digits(torque)} N m`,
+      // The same, indeed: to the solver's tolerance.
+      ["as well", Math.abs(kappa * theta - torque) < 1e-9],
+      `Double it, to ${quantityText(2 * material.youngsModulus, "Pa")}`,
       `No: ${degrees(-direction(plantOf("joint", { [stiffness]: 2e9 })))}, which is more than half of ${degrees(-direction(one))}.`,
       `${["", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight"][chain.params.axis.segments]} segments.`,
       [
@@ -118,12 +121,17 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
         Math.abs((8 * sag(level)) / level.report.gravityNumber - 1) < 1e-3,
       ],
       [
-        "Two axes with the same $q$ have the same shape",
+        "Two axes with the same $q$ that start at the same elevation have the same shape",
         Math.abs(direction(earthly) - direction(moon)) < 1e-6,
       ],
-      `Carry the axis to the Moon, where $g$ is ${moon.params.loads.gravity} m/s².`,
+      `Carry the axis to the Moon, where $g$ is ${moon.params.loads.gravity} m/s²`,
+      [
+        "(1.6 on the slider will do)",
+        Math.abs(direction(moon) - direction(plantOf("axis", { [gravity]: 1.6 }))) < 0.5,
+      ],
+      ["mostly softer than green wood (1 to 15 GPa", full.params.material.youngsModulus < 1e9],
       `$q$ falls in proportion to $g$, to ${numberText(moon.report.gravityNumber)}.`,
-      `The tip points ${degrees(direction(moon), 0)} upwards; it is the shape that the axis has on Earth at a length of ${(measure(earthly).length * 100).toFixed(0)} cm`,
+      `The tip points ${degrees(direction(moon), 0)} upwards; it is the shape that the axis has on Earth at a length of ${(measure(earthly).length * 100).toFixed(0)} cm, at about step ${moonLike.toFixed(0)}`,
       [
         "make the axis twice as thick. It is four times as heavy then",
         Math.abs(mass(thick) / mass(full) - 4) < 1e-9,
@@ -148,6 +156,8 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
     const [cut, even] = ["figure-10", "figure-8d"].map((id) => grow(paramsOfPreset(id)));
     if (!cut || !even) throw new Error("Two plants were grown.");
     const { axis } = paramsOf("uneven");
+    const { axis: rod, material } = paramsOf("joint");
+    const kappa = (material.youngsModulus * Math.PI * rod.radius ** 4) / 4 / rod.segmentLength;
     return [
       [
         "in twelve segments, the middle ones three times as long",
@@ -156,11 +166,14 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       "(figure 10)",
       "draws its figure 10",
       "1 to 15 GPa for green wood",
+      `with $E$ of ${quantityText(material.youngsModulus, "Pa")}, a radius of ${quantityText(rod.radius, "m")} and a length of ${quantityText(rod.segmentLength, "m")}, that is the ${digits(kappa)} N m`,
+      "the length profile from 3 to 1",
+      `its tip moves by ${(100 * (shifts[0] ?? 0)).toFixed(1)} cm, the other's by ${(100 * (shifts[1] ?? 0)).toFixed(1)} cm`,
       ["for forty segments", even.params.axis.segments === 40],
       `have their tips ${(1000 * apart(cut, even)).toFixed(1)} mm apart, of ${quantityText(measure(even).length, "m")}.`,
-      `Ten segments then sag ${coarse("paper").toFixed(0)} % too far.`,
+      `A level rod in ten segments then sags ${coarse("paper").toFixed(0)} % too far`,
       `ten segments then sag ${coarse("secondOrder").toFixed(0)} % too far.`,
-      ["The paper's. Its error is in proportion", (shifts[0] ?? 0) > 3 * (shifts[1] ?? Number.NaN)],
+      ["Its error is in proportion", (shifts[0] ?? 0) > 3 * (shifts[1] ?? Number.NaN)],
     ];
   },
 
@@ -186,12 +199,12 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
         "The stiffer the wood, the closer to 45° it stays",
         direction(plantOf("seeking", { [stiffness]: 5e9 })) > 44,
       ],
-      `Make the wood softer, down to ${digits(soft.params.material.youngsModulus / 1e9)} GPa.`,
+      `Make the wood softer, down to ${digits(soft.params.material.youngsModulus / 1e9)} GPa (${quantityText(soft.params.material.youngsModulus, "Pa")} on the slider).`,
       ["Yes to both", direction(soft) > 0 && inflections(soft) === 1],
       `the tip hangs ${(-height(soft) * 100).toFixed(0)} cm below the base by then, and still points ${degrees(direction(soft))} upwards`,
       // Full tropism converges with order 1: half a per cent is left at 400 segments.
       [
-        "two thirds of what it would sag without a tropism ($wL^4/8EI$)",
+        "two thirds of what it would sag without a tropism ($wL^4/8EI$, chapter 2)",
         Math.abs((12 * sag(level)) / level.report.gravityNumber - 1) < 0.005,
       ],
     ];
@@ -219,23 +232,23 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
           full.params.material.youngsModulus < paramsOfPreset("figure-17b").material.youngsModulus,
       ],
       `the tip of this axis is ${cm(height(full))} cm above its base`,
-      `it would be straight and ${cm(height(still))} cm up`,
+      `it would be straight and ${(100 * height(still)).toFixed(1)} cm up`,
       `it springs up to ${cm(height(off))} cm, not all the way: ${cm(height(still) - height(off))} of the ${cm(height(still) - height(full))} cm of sag stay for good`,
       `than the ${degrees(full.params.tropism.elevation, 0)} that it was seeking`,
       `Each new segment was set at ${degrees(full.params.tropism.elevation, 0)} while`,
       `the tip points ${degrees(direction(off))} up`,
       // Slight bending, forty segments: half a per cent.
-      ["the tip sinks by …", Math.abs(-height(memory) / ((k * measure(memory).length ** 3) / 3) - 1) < 0.005],
+      ["together by …", Math.abs(-height(memory) / ((k * measure(memory).length ** 3) / 3) - 1) < 0.005],
       // What is made in one piece thickens in steps, of which the last are coarse: six per cent.
       [
-        "would sag only $c\\,L^3/9$",
+        "and a sag of $c\\,L^3/9$",
         Math.abs(-height(piece) / ((k * measure(piece).length ** 3) / 9) - 1) < 0.07,
       ],
       [
         "Growing under load makes the sag three times as large",
         Math.abs(height(memory) / height(piece) - 3) < 0.2,
       ],
-      `About two thirds stay: ${(-100 * height(freed)).toFixed(1)} of ${(-100 * height(memory)).toFixed(1)} cm.`,
+      `About two thirds stay, as the two formulas have it: ${(-100 * height(freed)).toFixed(1)} of ${(-100 * height(memory)).toFixed(1)} cm.`,
       ["About two thirds stay", Math.abs(kept - 2 / 3) < 0.03],
       ["to less than half a millimetre", Math.abs(height(memory) - height(freed) - height(piece)) < 0.0005],
     ];
@@ -271,7 +284,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
         "Equal children turn aside equally",
         Math.abs(turn(1) - equal.x) < 1e-6 && Math.abs(turn(2) - equal.y) < 1e-6,
       ],
-      `With one 0.8 times as thick as the other it is ${degrees(unequal.x)} for the thicker and ${degrees(unequal.y)} for the thinner one.`,
+      `With one 0.8 times as thick as the other (a girth ratio of 0.8) it is ${degrees(unequal.x)} for the thicker and ${degrees(unequal.y)} for the thinner one.`,
       `Figure 18 b of the paper: it starts ${degrees(rising.axis.elevation, 0)} upwards and forks four times`,
       [
         "forks four times, into equal children",
@@ -285,8 +298,9 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       ["so Bough takes none below 2", throws(() => plantOf("fork", { "branching.exponent": 1.99 }))],
       ["it goes on nearly straight and nearly as thick as before", share(0.2).x < 3 && share(0.2).d1 > 0.99],
       ["The thin one stands off more and more", share(0.2).y > share(0.5).y && share(0.5).y > share(0.8).y],
-      `of a fork with ratio 0.8 would turn ${degrees(printedAngle(2.49, 0.8))} aside`,
-      `equation 50 gives, ${degrees(unequal.x + unequal.y)}`,
+      `of a fork with ratio 0.8 would turn ${degrees(printedAngle(2.49, 0.8))} aside instead of ${degrees(unequal.y)}`,
+      `then stand ${degrees(unequal.x + printedAngle(2.49, 0.8))} apart`,
+      `the angle between them, gives ${degrees(unequal.x + unequal.y)}`,
     ];
   },
 
@@ -340,7 +354,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
     const below = (height: number) => `${quantityText(-height, "m", 2)} below`;
     return [
       `with a gravity number of ${q.toFixed(0)}`,
-      ["It has leaned over", column.report.stable === true && direction(column) < 0],
+      ["a balance that is stable again", column.report.stable === true && direction(column) < 0],
       "Bough pushes it by a thousandth of a radian",
       // Between the two, by less than forty segments are off.
       ["above $q = 7.84$", direction(upright(7.82)) === 90 && direction(upright(7.86)) < 89],
@@ -360,7 +374,7 @@ export const claims: Readonly<Record<string, () => readonly Claim[]>> = {
       ],
       ["about a tenth of that", paramsOf("twist").material.shearModulusRatio === 0.1],
       [
-        "Figure 21 c of the paper, with forks whose planes stand crosswise",
+        "Figure 21 c of the paper, but the plane of each fork is turned",
         paramsOf("twist").branching.roll === 90,
       ],
       `with a roll of 0 the lowest tip is ${below(flat)} the base`,
