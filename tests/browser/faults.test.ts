@@ -11,12 +11,12 @@ beforeAll(async () => {
 afterAll(() => browser.close());
 
 /** A page on which something is put into the way before it is opened. */
-async function hindered(hinder: (page: Page) => Promise<unknown>): Promise<{ page: Page; problems: string[] }> {
+async function hindered(hinder: (page: Page) => Promise<unknown>, link = "") {
   const context = await browser.newContext({ serviceWorkers: "block", reducedMotion: "reduce" });
   const page = await context.newPage();
   const problems = listen(page);
   await hinder(page);
-  await page.goto(inject("site"));
+  await page.goto(new URL(link, inject("site")).href);
   return { page, problems };
 }
 
@@ -67,27 +67,39 @@ describe("a storage that is", () => {
 describe("wasm that", () => {
   const wasm = "**/bough*.wasm";
 
-  it("comes late leaves the form to be used, and the plant that comes is that of the form", async () => {
-    let send = () => {};
-    const late = new Promise<void>((resolve) => {
-      send = resolve;
-    });
-    const { page, problems } = await hindered((page) =>
-      page.route(wasm, async (route) => {
-        await late;
-        await route.continue();
-      }),
-    );
-    await box(page, /^Segments/).fill("20");
-    await box(page, /^Segments/).press("Enter");
-    expect(query(page).get("n")).toBe("20");
-    expect(await page.evaluate(() => document.documentElement.dataset.settled)).not.toBe("true");
-    send();
-    await settled(page);
-    expect(await length(page)).toBe("75 cm");
-    expect(problems).toEqual([]);
-    await page.context().close();
-  });
+  it.each([
+    [
+      "form",
+      async (page: Page) => {
+        await box(page, /^Segments/).fill("20");
+        await box(page, /^Segments/).press("Enter");
+      },
+      "75 cm",
+    ],
+    ["plates", (page: Page) => page.getByRole("button", { name: /^Figure 13 c/ }).click(), "1.5 m"],
+  ])(
+    "comes late leaves the %s to be used, and the plant that comes is what was chosen",
+    async (what, choose, expected) => {
+      let send = () => {};
+      const late = new Promise<void>((resolve) => {
+        send = resolve;
+      });
+      const { page, problems } = await hindered((page) =>
+        page.route(wasm, async (route) => {
+          await late;
+          await route.continue();
+        }),
+      );
+      await choose(page);
+      expect(await page.evaluate(() => document.documentElement.dataset.settled)).not.toBe("true");
+      send();
+      await settled(page);
+      expect(await length(page)).toBe(expected);
+      expect(query(page).get(what === "form" ? "n" : "preset")).toBe(what === "form" ? "20" : "figure-13c");
+      expect(problems).toEqual([]);
+      await page.context().close();
+    },
+  );
 
   it("comes as another type of file works all the same", async () => {
     const { page, problems } = await hindered((page) =>
@@ -103,15 +115,18 @@ describe("wasm that", () => {
   });
 
   it.each([
-    ["is a web page, as servers send it for what they do not have", "<!doctype html><title>Not found</title>"],
+    [
+      "is a web page, as servers send it for what they do not have",
+      "<!doctype html><title>Not found</title>",
+    ],
     ["is cut off", "\0asm\u0001\0\0\0\u0001"],
     ["is empty", ""],
   ])("%s is said in a sentence; form and link stay", async (_, body) => {
-    const { page } = await hindered((page) => page.route(wasm, (route) => route.fulfill({ body })));
+    const fault = (page: Page) => page.route(wasm, (route) => route.fulfill({ body }));
+    const { page } = await hindered(fault, "?preset=figure-13c&g=3");
     await page.getByText("The plant could not be computed.").waitFor();
-    await box(page, /^Segments/).fill("20");
-    await box(page, /^Segments/).press("Enter");
-    expect(query(page).get("n")).toBe("20");
+    expect(await box(page, /^Gravity/).inputValue()).toBe("3");
+    expect(query(page).get("g")).toBe("3");
     await page.context().close();
   });
 });

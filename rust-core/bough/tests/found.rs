@@ -6,7 +6,9 @@ mod soundness;
 
 use bough::angle::Degrees;
 use bough::mechanics::Status;
-use bough::params::{BranchingPattern, Discretization, Params, PointForce, Thickening, check};
+use bough::params::{
+    ArrangementPattern, BranchingPattern, Discretization, Params, PointForce, Thickening, check,
+};
 use bough::{History, grow};
 use soundness::{check_held, check_mirrored, check_moments, check_plant};
 
@@ -66,6 +68,38 @@ fn a_held_plant_that_did_not_converge_is_not_called_stable() {
     assert_ne!(free.report.status, Status::Converged);
     let held = history.hold(2, free.tip(0)).unwrap();
     assert_eq!((held.report.status, held.report.stable), (free.report.status, None));
+}
+
+/// The same in space, into which the wind takes an axis around a stem.
+#[test]
+fn a_held_plant_in_space_that_did_not_converge_is_not_called_stable() {
+    let mut params = Params::default();
+    params.axis.segments = 8;
+    params.material.youngs_modulus = 2651.730670325792;
+    params.tropism.strength = 836535101.1815326;
+    params.arrangement.pattern = ArrangementPattern::Stem;
+    params.arrangement.count = 2;
+    params.arrangement.interval = 0;
+    params.loads.gravity = 2240.90495992334;
+    params.loads.wind = 853.1575158523057;
+    params.loads.drag_coefficient = 4.217057637736653e-17;
+    params.loads.foliage_drag = 1e-17;
+    params.loads.picked = true;
+    params.loads.removed = true;
+    let mut history = History::new(&params).unwrap();
+    let mut lost = 0;
+    for step in 1..=8 {
+        let free = history.at(step);
+        for segment in 2..free.segments.parent.len() {
+            let point = 3 * free.segments.point[segment] as usize;
+            let [x, y, z] = free.polylines.points[point..point + 3] else { unreachable!() };
+            let Some(held) = history.hold(segment as u32, [x, y - 0.001, z]) else { continue };
+            let has_converged = held.report.status == Status::Converged;
+            assert_eq!(held.report.stable.is_some(), has_converged, "{:?}", held.report);
+            lost += u32::from(!has_converged);
+        }
+    }
+    assert!(lost > 0);
 }
 
 /// Radians of more than half a turn were rounded otherwise than those of less.
@@ -140,7 +174,11 @@ fn heavy_fruit_that_is_picked_leaves_nothing_behind() {
         params.loads.picked = true;
         params.solver.space = space;
         let plant = grow(&params).unwrap();
-        if space { check_moments(&plant) } else { check_plant(&plant) }
+        if space {
+            check_moments(&plant)
+        } else {
+            check_plant(&plant)
+        }
         // It keeps no bend of that time: what is left is the plant that never bore fruit.
         params.loads.tip_mass = 0.0;
         let light = grow(&params).unwrap();

@@ -43,6 +43,8 @@ export class Explorer {
   readonly #late = new Late(this.#notices);
   readonly #actions = this.#makeActions();
   #intake: Intake | null = null;
+  /** What was entered before the engine was there. */
+  readonly #early: Entry[] = [];
   #grower: Grower | null = null;
   #picture: Picture | null = null;
   #touch: Touch | null = null;
@@ -96,10 +98,10 @@ export class Explorer {
   }
 
   async #use(engine: Engine): Promise<void> {
-    this.#intake = new Intake(engine, this.#store, () => this.#render());
-    const { params, sentences } = await this.#intake.repair(this.#store.state.params);
-    for (const sentence of sentences) this.#notices.add(sentence);
-    this.#store.set({ params }, "settled");
+    const intake = new Intake(engine, this.#store, () => this.#render());
+    for (const sentence of await intake.open()) this.#notices.add(sentence);
+    this.#intake = intake;
+    for (const entry of this.#early.splice(0)) void this.#enter(entry);
     this.#grower = new Grower(engine, {
       onPlant: (plant, grown) => this.#show(plant, grown),
       onIssues: (issues) => this.#intake?.show(issues),
@@ -167,7 +169,8 @@ export class Explorer {
 
   async #enter(entry: Entry): Promise<void> {
     try {
-      await this.#intake?.take(entry);
+      if (this.#intake) await this.#intake.take(entry);
+      else this.#early.push(entry);
     } catch (error) {
       this.#fail(error);
     }

@@ -70,6 +70,15 @@ export class Intake {
     this.#put(new Map());
   }
 
+  /** Puts the first state right, and says what was wrong. In the meantime another plate may have been chosen. */
+  async open(): Promise<string[]> {
+    const given = this.#store.state.params;
+    const { params, sentences } = await this.repair(given);
+    if (this.#store.state.params !== given) return this.open();
+    this.#store.set({ params }, "settled");
+    return sentences;
+  }
+
   /** The params with every value that stands in the way of a plant at its default, and a sentence on each. */
   async repair(params: Params): Promise<{ params: Params; sentences: string[] }> {
     const issues = await this.#check(params);

@@ -51,8 +51,8 @@ pub(super) trait Stance: Sized {
 
 /// Brings a shape to rest, from the loads that it was at rest with, to others; beside the outcome it gives the loads by which it
 /// holds the shape (none by default).
-pub(super) type Search<'a, S> = dyn FnMut(&mut S, &<S as Stance>::Loads, &<S as Stance>::Loads) -> (Outcome, <S as Stance>::Loads)
-    + 'a;
+pub(super) type Search<'a, S> =
+    dyn FnMut(&mut S, &<S as Stance>::Loads, &<S as Stance>::Loads) -> (Outcome, <S as Stance>::Loads) + 'a;
 
 impl Growth {
     /// The loads of the grown plant that do not depend on how it stands: those it grew with, less the fruit if that is picked;
@@ -65,7 +65,7 @@ impl Growth {
         if given.picked && given.tip_mass > 0.0 {
             // Put together anew: to take the fruit from the sums would leave their rounding, and heavy fruit has much.
             let (mut loads, mut force) = (Loads::none(0), Vec::new());
-            self.load(0.0, &mut loads, &mut force);
+            self.load_with(0.0, &mut loads, &mut force);
             return S::of(loads, force);
         }
         S::grown_with(self).clone()

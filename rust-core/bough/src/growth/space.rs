@@ -176,7 +176,8 @@ impl Growth {
         }
         let iterations = self.state.report.iterations + outcome.iterations;
         let mut plant = self.seen_in_space(&shape, &force, Report { iterations, ..self.state.report });
-        plant.report.stable = Some(stable);
+        // What did not come to rest while it grew is not vouched for.
+        plant.report.stable = plant.report.stable.map(|_| stable);
         plant.params.loads.forces = vec![PointForce { segment, force: pull.to_array() }];
         Some((plant, Grip::Space { segment, shape, force: pull }))
     }

@@ -33,13 +33,13 @@ impl Growth {
         core::mem::swap(&mut self.state.force, &mut self.force_before);
         let mut loads = core::mem::take(&mut self.state.loads);
         let mut force = core::mem::take(&mut self.state.force);
-        self.load(self.params.loads.tip_mass, &mut loads, &mut force);
+        self.load_with(self.params.loads.tip_mass, &mut loads, &mut force);
         self.state.loads = loads;
         self.state.force = force;
     }
 
     /// All loads on the present plant, with a mass of fruit at every tip, kg: in its plane, or in space.
-    pub(super) fn load(&self, fruit: f64, loads: &mut Loads, force: &mut Vec<DVec3>) {
+    pub(super) fn load_with(&self, fruit: f64, loads: &mut Loads, force: &mut Vec<DVec3>) {
         let rods = self.rods();
         for array in [&mut loads.x, &mut loads.y] {
             array.clear();

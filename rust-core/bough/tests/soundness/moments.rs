@@ -20,23 +20,28 @@ pub fn check_moments(plant: &Plant) {
     let place = |point: usize| [0, 1, 2].map(|axis| polylines.points[3 * point + axis]);
     let bearer = |segment: usize| usize::try_from(segments.parent[segment]).ok();
     let (mut expected, mut reach) = (vec![[0.0_f64; 3]; count], 0.0);
+    // A fork has a joint of its own at the end of its bearer, which counts for what is largest.
+    let mut at_node = vec![[0.0_f64; 3]; count];
     for segment in 0..count {
         reach += segments.length[segment];
         let end = place(segments.point[segment] as usize);
         let [fx, fy, fz] = forces[segment];
-        let mut joint = Some(segment);
-        while let Some(at) = joint {
-            let base = place(segments.point[at] as usize - 1);
-            let [x, y, z] = [0, 1, 2].map(|axis| end[axis] - base[axis]);
-            let about = &mut expected[at];
+        let act = |about: &mut [f64; 3], from: [f64; 3]| {
+            let [x, y, z] = [0, 1, 2].map(|axis| end[axis] - from[axis]);
             about[0] += y * fz - z * fy;
             about[1] += z * fx - x * fz;
             about[2] += x * fy - y * fx;
+        };
+        let mut joint = Some(segment);
+        while let Some(at) = joint {
+            act(&mut expected[at], place(segments.point[at] as usize - 1));
+            act(&mut at_node[at], place(segments.point[at] as usize));
             joint = bearer(at);
         }
     }
-    let sizes: Vec<f64> = expected.iter().map(|[x, y, z]| x.hypot(*y).hypot(*z)).collect();
-    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let size_of = |[x, y, z]: &[f64; 3]| x.hypot(*y).hypot(*z);
+    let sizes: Vec<f64> = expected.iter().map(size_of).collect();
+    let largest = sizes.iter().copied().chain(at_node.iter().map(size_of)).fold(0.0, f64::max);
     // Rounding of places and sums, and of the angles that springs are bent by: stiffest is half a segment's spring.
     let stiffest = (0..count)
         .map(|segment| {

@@ -101,7 +101,7 @@ fn check_report(plant: &Plant) {
     let report = &plant.report;
     assert!(!report.residual.is_nan() && report.residual >= 0.0, "{report:?}");
     if report.status != Status::Budget {
-        assert_eq!(report.stable.is_some(), report.status == Status::Converged, "{report:?}");
+        assert_eq!(report.stable.is_some(), report.status == Status::Converged, "{plant:?}");
     }
     assert!(report.unstable_since.is_none_or(|step| (1..=report.steps).contains(&step)), "{report:?}");
     assert!(
