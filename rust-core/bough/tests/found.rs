@@ -227,3 +227,32 @@ fn a_limp_plant_that_is_held_in_the_wind_is_in_balance() {
         assert_eq!(history.at(6).fingerprint(), free.fingerprint());
     }
 }
+
+/// Beside twigs that were limp the stem took its step shortened with them, to nothing; that it helped nothing was taken for
+/// rounding, and a plant all of whose torques were left over was called converged.
+#[test]
+fn a_stem_that_waits_for_limp_twigs_is_not_at_rest() {
+    let mut params = Params::default();
+    params.axis.segments = 9;
+    params.axis.segment_length = 1000.0;
+    params.axis.length_profile = 100.0;
+    params.axis.radius = 100.0;
+    params.axis.elevation = Degrees(180.0);
+    params.axis.rest_curvature = 1e6;
+    params.material.youngs_modulus = 1e15;
+    params.growth.thickening = Thickening::Pipes;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 3;
+    params.branching.length_ratio = 0.001;
+    params.branching.exponent = 2.0;
+    params.branching.girth_ratio = 1e-9;
+    params.loads.gravity = 0.0;
+    params.loads.wind = 1e3;
+    params.loads.wind_azimuth = Degrees(180.0);
+    params.loads.drag_coefficient = 1e3;
+    params.loads.tip_force = [1e12, 1e12, 0.0];
+    params.solver.tolerance = 0.1;
+    let plant = grow(&params).unwrap();
+    assert!(plant.report.status != Status::Converged || plant.report.residual <= 0.1, "{:?}", plant.report);
+    check_plant(&plant);
+}

@@ -29,6 +29,7 @@ impl Workspace {
         tolerance: f64,
         outcome: &mut Outcome,
     ) {
+        // What a whole step of Newton's method started from: a shortened one stalls for other reasons than rounding.
         let mut previous = f64::INFINITY;
         let (mut least, mut since) = (f64::INFINITY, 0);
         for _ in 0..DESCENT_ITERATIONS {
@@ -43,9 +44,9 @@ impl Workspace {
             if !self.may_iterate(linkage) {
                 break;
             }
-            previous = self.state.largest_residual();
-            since = if previous < least || outcome.residual > NEARLY { 0 } else { since + 1 };
-            least = least.min(previous);
+            let left = self.state.largest_residual();
+            since = if left < least || outcome.residual > NEARLY { 0 } else { since + 1 };
+            least = least.min(left);
             if since > PATIENCE {
                 break;
             }
@@ -72,6 +73,7 @@ impl Workspace {
                 linkage.deviation.clone_from(&self.saved);
                 scale *= 0.5;
             }
+            previous = if shift == 0.0 && scale == 1.0 { left } else { f64::INFINITY };
         }
         let finite = outcome.residual.is_finite();
         outcome.status = if finite { Status::MaxIterations } else { Status::NonFinite };

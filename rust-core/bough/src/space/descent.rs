@@ -42,7 +42,9 @@ impl Workspace {
         tolerance: f64,
         outcome: &mut Outcome,
     ) {
-        let (mut previous, mut least, mut since) = (f64::INFINITY, f64::INFINITY, 0);
+        // What a whole step of Newton's method started from: any other one stalls for other reasons than rounding.
+        let mut previous = f64::INFINITY;
+        let (mut least, mut since) = (f64::INFINITY, 0);
         let mut rung = 0_usize;
         outcome.status = Status::MaxIterations;
         self.balance.orient(rods, shape);
@@ -54,10 +56,10 @@ impl Workspace {
                 outcome.status = Status::Converged;
                 return;
             }
-            previous = self.balance.largest_residual;
-            since = if previous < least || outcome.residual > NEARLY { 0 } else { since + 1 };
-            least = least.min(previous);
-            if since > PATIENCE || !previous.is_finite() {
+            let left = self.balance.largest_residual;
+            since = if left < least || outcome.residual > NEARLY { 0 } else { since + 1 };
+            least = least.min(left);
+            if since > PATIENCE || !left.is_finite() {
                 break;
             }
             let (energy, size) = (self.balance.energy, self.balance.energy_size);
@@ -90,6 +92,7 @@ impl Workspace {
             if !falls {
                 break;
             }
+            previous = if rung == 0 && scale == 1.0 { left } else { f64::INFINITY };
             #[cfg(test)]
             self.trace.push([energy, self.balance.energy, size]);
         }

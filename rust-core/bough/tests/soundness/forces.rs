@@ -12,18 +12,21 @@ pub(crate) fn forces(plant: &Plant, pulled: bool) -> (Vec<[f64; 3]>, f64) {
     let mut force = vec![[0.0; 3]; count];
     let mut size = 0.0;
     let mut act = |segment: usize, more: [f64; 3]| {
+        let mut size = 0.0;
         if let Some(force) = force.get_mut(segment) {
             for axis in 0..3 {
                 force[axis] += more[axis];
                 size += more[axis].abs();
             }
         }
+        size
     };
     if !loads.removed {
         let half = if plant.params.solver.discretization == Discretization::Paper { 0.0 } else { 0.5 };
         let mut is_tip = vec![true; count];
         for segment in 0..count {
-            let along = evenly(plant, segment);
+            let (along, parts) = evenly(plant, segment);
+            size += parts;
             act(segment, along.map(|force| (1.0 - half) * force));
             if let Ok(bearer) = usize::try_from(segments.parent[segment]) {
                 act(bearer, along.map(|force| half * force));
@@ -31,7 +34,7 @@ pub(crate) fn forces(plant: &Plant, pulled: bool) -> (Vec<[f64; 3]>, f64) {
             }
         }
         for tip in (0..count).filter(|&segment| is_tip[segment] && !loads.picked) {
-            act(tip, [0.0, -loads.tip_mass * loads.gravity, 0.0]);
+            size += act(tip, [0.0, -loads.tip_mass * loads.gravity, 0.0]);
         }
         let tip_of = |axis: u32| (0..count).rev().find(|&segment| segments.axis[segment] == axis);
         if plant.params.arrangement.pattern == ArrangementPattern::FlexibleStem {
@@ -46,20 +49,21 @@ pub(crate) fn forces(plant: &Plant, pulled: bool) -> (Vec<[f64; 3]>, f64) {
                     plant.params.axis.azimuth.0 + copy as f64 * plant.params.arrangement.divergence.0 % 360.0;
                 let (sin, cos) = turn.to_radians().sin_cos();
                 let [x, y, z] = loads.tip_force;
-                act(tip_of(axis).unwrap_or(count), [x * cos + z * sin, y, z * cos - x * sin]);
+                size += act(tip_of(axis).unwrap_or(count), [x * cos + z * sin, y, z * cos - x * sin]);
             }
         } else {
-            act(tip_of(0).unwrap_or(count), loads.tip_force);
+            size += act(tip_of(0).unwrap_or(count), loads.tip_force);
         }
     }
     for pull in loads.forces.iter().filter(|_| pulled) {
-        act(pull.segment as usize, pull.force);
+        size += act(pull.segment as usize, pull.force);
     }
     (force, size)
 }
 
-/// What lies and pushes evenly along a segment: its wood, its leaves, snow and wind on both, N.
-fn evenly(plant: &Plant, segment: usize) -> [f64; 3] {
+/// What lies and pushes evenly along a segment: its wood, its leaves, snow and wind on both, N; and the size of these parts, which
+/// may cancel.
+fn evenly(plant: &Plant, segment: usize) -> ([f64; 3], f64) {
     let (params, segments) = (&plant.params, &plant.segments);
     let loads = &params.loads;
     let length = segments.length[segment];
@@ -71,10 +75,14 @@ fn evenly(plant: &Plant, segment: usize) -> [f64; 3] {
     let area = leaves * loads.foliage_area;
     let shown = 2.0 * segments.radius[segment] * length;
     let mut force = wind_force(wind(params), direction, loads.drag_coefficient * shown);
+    let mut size: f64 = force.iter().map(|part| part.abs()).sum();
     for (force, wind) in force.iter_mut().zip(wind(params)) {
-        *force += 0.5 * AIR * loads.foliage_drag * area * loads.wind * wind;
+        let on_leaves = 0.5 * AIR * loads.foliage_drag * area * loads.wind * wind;
+        *force += on_leaves;
+        size += on_leaves.abs();
     }
     let snow = loads.snow * (shown * direction[0].hypot(direction[2]) + area);
-    force[1] -= (segments.mass[segment] + leaves + snow) * loads.gravity;
-    force
+    let weight = (segments.mass[segment] + leaves + snow) * loads.gravity;
+    force[1] -= weight;
+    (force, size + weight)
 }

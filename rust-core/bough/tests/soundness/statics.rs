@@ -87,11 +87,12 @@ impl Statics {
         self.rods.iter().zip(&self.torque).map(left).fold(0.0, f64::max)
     }
 
-    /// Residual that the rounding of stored angles, here and there, can leave.
+    /// Residual that the rounding of stored angles, here and there, can leave: the core lets eight roundings pass of each of the
+    /// three angles whose difference a deviation is.
     pub fn rounding(&self) -> f64 {
         let of_joint = |rod: &Rod| rod.stiffness * rod.angles;
         let largest = self.rods.iter().map(of_joint).fold(0.0, f64::max);
-        self.rounding + 16.0 * f64::EPSILON * largest
+        self.rounding + 24.0 * f64::EPSILON * largest
     }
 
     /// Every joint's moment is its stiffness times its deviation (equation 33).
