@@ -125,6 +125,20 @@ describe("an element in a bare page", () => {
     await page.emulateMedia({ media: "print" });
     expect(await gravity.isVisible()).toBe(false);
     expect(await page.locator("canvas.picture").isVisible()).toBe(true);
+    // What is written over the picture shrinks with it where paper has less room, and no script runs in between.
+    const corners = await page.locator("canvas.picture").evaluate((canvas: HTMLCanvasElement) => {
+      const scene = canvas.parentElement as HTMLElement;
+      const arc = () => {
+        const whole = canvas.getBoundingClientRect();
+        const box = scene.querySelector(".elevation-arc")?.getBoundingClientRect() ?? new DOMRect();
+        return [(box.x - whole.x) / whole.width, (box.bottom - whole.y) / whole.height];
+      };
+      const before = arc();
+      Object.assign(scene.style, { width: "50%", height: "50%" });
+      return [before, arc()];
+    });
+    expect(corners[1]?.[0]).toBeCloseTo(corners[0]?.[0] ?? Number.NaN, 2);
+    expect(corners[1]?.[1]).toBeCloseTo(corners[0]?.[1] ?? Number.NaN, 2);
     await page.context().close();
   });
 

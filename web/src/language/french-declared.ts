@@ -259,7 +259,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     "figure-17c": [
       "Un bois qui s’épaissit, plus souple",
-      "Le même axe, quatre fois moins rigide, s’affaisse davantage, et l’essentiel en demeure : ôtez les charges pour le voir.",
+      "Le même axe, quatre fois moins rigide, s’affaisse davantage, et une part en demeure : ôtez les charges pour le voir.",
     ],
     "figure-17d": [
       "Des axes qui s’épaississent autour d’une tige",

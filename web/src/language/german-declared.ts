@@ -256,7 +256,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     "figure-17c": [
       "Holz, das dicker wird, weicher",
-      "Dieselbe Achse mit einem Viertel der Steifigkeit sackt weiter ab, und das meiste davon bleibt: Nehmen Sie die Lasten ab, um es zu sehen.",
+      "Dieselbe Achse mit einem Viertel der Steifigkeit sackt weiter ab, und ein Teil davon bleibt: Nehmen Sie die Lasten ab, um es zu sehen.",
     ],
     "figure-17d": [
       "Achsen mit Dickenwachstum um einen Stamm",

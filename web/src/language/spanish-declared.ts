@@ -259,7 +259,7 @@ export const declared: Omit<Dictionary, "texts"> = {
     ],
     "figure-17c": [
       "Madera que engruesa, más blanda",
-      "El mismo eje con la cuarta parte de la rigidez cede más, y casi todo eso queda: quite las cargas para verlo.",
+      "El mismo eje con la cuarta parte de la rigidez cede más, y una parte de eso queda: quite las cargas para verlo.",
     ],
     "figure-17d": [
       "Ejes que engruesan en torno a un tallo",

@@ -71,11 +71,16 @@ export class Annotation {
     this.element.append(this.#force.element);
     this.element.setAttribute("class", "annotation");
     this.element.setAttribute("aria-hidden", "true");
+    this.element.setAttribute("preserveAspectRatio", "none");
   }
 
   draw(subject: Subject): void {
     const size = `${subject.width} ${subject.height}`;
-    if (size !== this.#size) this.#letter = Number.parseFloat(getComputedStyle(this.#angle).fontSize) || 16;
+    if (size !== this.#size) {
+      this.#letter = Number.parseFloat(getComputedStyle(this.#angle).fontSize) || 16;
+      // As the canvas does, it fits itself into whatever room it is printed in.
+      this.element.setAttribute("viewBox", `0 0 ${size}`);
+    }
     this.#size = size;
     this.#drawGround(subject);
     put(this.#future, { d: subject.future.map(pathOf).join("") });

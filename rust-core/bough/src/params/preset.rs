@@ -237,7 +237,7 @@ const FIGURES: &[Preset] = &[
     preset(
         "figure-17c",
         "Thickening wood, softer",
-        "The same axis with a quarter of the stiffness sags further, and most of that stays: take the loads off to see.",
+        "The same axis with a quarter of the stiffness sags further, and a part of that stays: take the loads off to see.",
         figure_17!(("material.youngsModulus", &[1.25e8])),
         None,
     ),
