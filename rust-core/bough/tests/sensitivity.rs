@@ -213,6 +213,8 @@ fn newtons_iterations_and_the_relaxation_end_in_one_shape() {
     assert_eq!(newton.angle[..12], euler.angle[..12]);
     assert_eq!(newton.outcome.iterations as usize + 1, newton.time.len());
     assert!(newton.time.len() < 8 && *newton.residuals.last().unwrap() <= 1e-10);
+    assert_eq!(newton.outcome.residual, *newton.residuals.last().unwrap());
+    assert!(newton.outcome.residual > 0.0);
     let (a, b) = (&newton.angle[newton.angle.len() - 12..], &euler.angle[euler.angle.len() - 12..]);
     assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-7));
 }
