@@ -101,6 +101,38 @@ describe("wasm that", () => {
     },
   );
 
+  it("comes late leaves files to be dropped: a plant, and a photo, are taken when there is somebody who can", async () => {
+    let send = () => {};
+    const late = new Promise<void>((resolve) => {
+      send = resolve;
+    });
+    const { page, problems } = await hindered((page) =>
+      page.route(wasm, async (route) => {
+        await late;
+        await route.continue();
+      }),
+    );
+    await page.locator("#controls").waitFor();
+    await page.evaluate(() => {
+      const drop = (file: File) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(file);
+        const event = { dataTransfer, bubbles: true, cancelable: true };
+        document.body.dispatchEvent(new DragEvent("drop", event));
+      };
+      const plant = { axis: { segments: 20 } };
+      drop(new File([JSON.stringify(plant)], "plant.json", { type: "application/json" }));
+      drop(new File([new Uint8Array([1, 2, 3])], "broken.png", { type: "image/png" }));
+    });
+    send();
+    await page.getByText("plant.json is open; Undo brings back what was there.").waitFor();
+    await page.getByRole("alert").filter({ hasText: "broken.png cannot be read as a picture" }).waitFor();
+    await settled(page);
+    expect(await length(page)).toBe("75 cm");
+    expect(problems).toEqual([]);
+    await page.context().close();
+  });
+
   it("comes as another type of file works all the same", async () => {
     const { page, problems } = await hindered((page) =>
       page.route(wasm, async (route) => {

@@ -13,8 +13,8 @@ import type { Plant } from "../plant/plant.ts";
 import type { Study } from "../study/study.ts";
 import { Address } from "./address.ts";
 import { copyLink } from "./clipboard.ts";
-import { listenForFiles } from "./drop.ts";
 import { failureText } from "./failure.ts";
+import { Files, isPicture } from "./files.ts";
 import { revealPlate, titleOf } from "./gallery.ts";
 import { Intake } from "./intake.ts";
 import { Late } from "./late.ts";
@@ -50,6 +50,7 @@ export class Explorer {
   #touch: Touch | null = null;
   #study: Study | null = null;
   #openStudy = async () => {};
+  readonly #files = new Files((file) => this.#open(file));
   #plant: Plant | null = null;
   #grown: Plant | null = null;
   #progress: number | null = null;
@@ -80,7 +81,7 @@ export class Explorer {
       this.#rest();
     });
     listenToKeys(this.#actions);
-    listenForFiles((file) => this.#open(file));
+    this.#files.listen();
     this.#renderNow();
   }
 
@@ -102,6 +103,7 @@ export class Explorer {
     for (const sentence of await intake.open()) this.#notices.add(sentence);
     this.#intake = intake;
     for (const entry of this.#early.splice(0)) void this.#enter(entry);
+    this.#files.retry();
     this.#grower = new Grower(engine, {
       onPlant: (plant, grown) => this.#show(plant, grown),
       onIssues: (issues) => this.#intake?.show(issues),
@@ -150,6 +152,7 @@ export class Explorer {
     const desk = { stage, store: this.#store, address: this.#address, actions: this.#actions, startEngine };
     if (host) this.#study = new Study(host, desk);
     this.#rest();
+    this.#files.retry();
   }
 
   #openPicture(): void {
@@ -184,10 +187,14 @@ export class Explorer {
     this.#draw();
   }
 
-  /** Opens the document of a plant. */
-  #open(file: File): void {
+  /** Opens a photo, or the document of a plant; false while there is nobody who could. */
+  #open(file: File): boolean {
     const intake = this.#intake;
-    if (intake) this.#late.file(file, { intake, store: this.#store, notices: this.#notices });
+    const isPhoto = isPicture(file);
+    if (!intake || (isPhoto && !this.#study)) return false;
+    if (!isPhoto || !this.#study?.take(file))
+      this.#late.file(file, { intake, store: this.#store, notices: this.#notices });
+    return true;
   }
 
   /** The state changed. */
@@ -396,7 +403,7 @@ export class Explorer {
           stage: this.#picture?.stage ?? null,
           play: (onPlayed) => this.#replay.play(true, onPlayed),
           stop: () => this.#replay.stop(),
-          open: (file) => this.#open(file),
+          open: (file) => this.#files.take(file),
         });
       },
       showEmbed: () => {

@@ -6,6 +6,7 @@ import { say } from "../language/say.ts";
 import type { ParamsInput } from "../params/params.ts";
 import { complete } from "../params/params.ts";
 import type { Store } from "../params/store.ts";
+import { isPicture } from "./files.ts";
 import type { Intake } from "./intake.ts";
 import type { Notices } from "./notices.ts";
 
@@ -25,7 +26,7 @@ const refusals: Readonly<Record<Refusal, (name: string) => string>> = {
 export async function openFile(file: File, { intake, store, notices }: Counter): Promise<void> {
   const refuse = (text: string) => notices.add(text, { tone: "problem", passes: true });
   const { name } = file;
-  if (file.type.startsWith("image/")) return refuse(say("{0} is a picture, not the file of a plant.", name));
+  if (isPicture(file)) return refuse(say("{0} is a picture, not the file of a plant.", name));
   // Before it is read: it would not fit into memory.
   if (file.size > largest) {
     return refuse(

@@ -37,11 +37,16 @@ export class Measuring implements Section {
     this.#analyst = analyst;
     this.#onChange = onChange;
     this.#tools = new Tools(onChange);
-    const onTake = () => {
-      this.open = true;
-      if (desk.store.state.view === "space") desk.actions.change({ view: "plane" });
-    };
-    this.#tracing = desk.stage ? new Tracing(desk.stage, () => this.#plant, onTake, onChange) : null;
+    this.#tracing = desk.stage ? new Tracing(desk.stage, () => this.#plant, onChange) : null;
+  }
+
+  /** Takes a photo to trace over; false where there is no picture to lay it on. */
+  take(photo: File): boolean {
+    if (!this.#tracing) return false;
+    this.open = true;
+    if (this.#desk.store.state.view === "space") this.#desk.actions.change({ view: "plane" });
+    void this.#tracing.take(photo);
+    return true;
   }
 
   see({ shape }: Sight): void {

@@ -29,11 +29,6 @@ const most = 64e6;
 /** A longer side is made smaller: finer than the screen is of no use. px */
 const longest = 2400;
 
-/** Whether it may be a photo, by what the browser says of its type. */
-export function mayBePhoto({ type }: { type: string }): boolean {
-  return type.startsWith("image/");
-}
-
 /** Reads a photo the right way up, as its EXIF data has it; throws a sentence if that cannot be done. */
 export async function readPhoto(file: File): Promise<Photo> {
   if (!types.includes(file.type)) throw new Error(words.measure.notAnImage(file.name));

@@ -16,6 +16,7 @@ import "../style/study.css";
 
 export class Study {
   readonly #host: HTMLElement;
+  readonly #measuring: Measuring;
   readonly #sections: readonly Section[];
   readonly #overlay: Overlay | null;
   #sight: Sight | null = null;
@@ -29,11 +30,8 @@ export class Study {
     const analyst = new Analyst();
     const onChange = () => this.#refresh();
     const comparison = new Comparison(desk, onChange);
-    this.#sections = [
-      new Why(desk, analyst, () => comparison.pinned, onChange),
-      comparison,
-      new Measuring(desk, analyst, onChange),
-    ];
+    this.#measuring = new Measuring(desk, analyst, onChange);
+    this.#sections = [new Why(desk, analyst, () => comparison.pinned, onChange), comparison, this.#measuring];
     this.#overlay = desk.stage ? new Overlay(desk.stage, this.#sections) : null;
     this.#refresh();
   }
@@ -46,6 +44,11 @@ export class Study {
     this.#language = language();
     for (const section of this.#sections) section.see(sight);
     this.#refresh();
+  }
+
+  /** Takes a photo to trace over; false where there is no picture to lay it on. */
+  take(photo: File): boolean {
+    return this.#measuring.take(photo);
   }
 
   #refresh(): void {

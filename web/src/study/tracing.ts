@@ -14,7 +14,6 @@ import { lineThrough } from "./overlay.ts";
 import {
   changedAround,
   type Frame,
-  mayBePhoto,
   movedTo,
   type Photo,
   type Pixel,
@@ -48,39 +47,10 @@ export class Tracing {
   #problem: string | null = null;
   #grasped: Pixel | null = null;
 
-  /** `onTake` is told that a photo was dropped or pasted. */
-  constructor(stage: Stage, plant: () => Plant | null, onTake: () => void, onChange: () => void) {
+  constructor(stage: Stage, plant: () => Plant | null, onChange: () => void) {
     this.#stage = stage;
     this.#plant = plant;
     this.#onChange = onChange;
-    const take = (file: File) => {
-      onTake();
-      void this.#take(file);
-    };
-    // Wherever it is dropped on the page, and before anyone else: other files are for others to take.
-    const early = { capture: true };
-    document.addEventListener(
-      "dragover",
-      (event) => {
-        if ([...(event.dataTransfer?.items ?? [])].some(mayBePhoto)) event.preventDefault();
-      },
-      early,
-    );
-    document.addEventListener(
-      "drop",
-      (event) => {
-        const file = [...(event.dataTransfer?.files ?? [])].find(mayBePhoto);
-        if (!file) return;
-        event.preventDefault();
-        event.stopPropagation();
-        take(file);
-      },
-      early,
-    );
-    document.addEventListener("paste", (event) => {
-      const file = [...(event.clipboardData?.files ?? [])].find(mayBePhoto);
-      if (file) take(file);
-    });
   }
 
   /** The traced points, m. */
@@ -93,7 +63,8 @@ export class Tracing {
     return this.#photo && this.#frame.size;
   }
 
-  async #take(file: File): Promise<void> {
+  /** Lays a photo over the picture, or says why that cannot be done. */
+  async take(file: File): Promise<void> {
     this.#problem = null;
     try {
       const photo = await readPhoto(file);
@@ -144,7 +115,7 @@ export class Tracing {
       const input = event.target as HTMLInputElement;
       const [file] = input.files ?? [];
       input.value = "";
-      if (file) void this.#take(file);
+      if (file) void this.take(file);
     };
     const offered = modes.filter((mode) => this.#photo || mode === "pull" || mode === "trace");
     return html`<h3>${own.photo}</h3>
