@@ -10,7 +10,7 @@ use bough::params::{
     ArrangementPattern, BranchingPattern, Discretization, Params, PointForce, Thickening, check,
 };
 use bough::{History, grow};
-use soundness::{check_held, check_mirrored, check_moments, check_plant};
+use soundness::{check_held, check_mirrored, check_moments, check_plant, check_shape};
 
 /// One segment, which a force pulls until it points along it.
 fn hair(radius: f64, length: f64) -> Params {
@@ -258,4 +258,99 @@ fn a_stem_that_waits_for_limp_twigs_is_not_at_rest() {
     let plant = grow(&params).unwrap();
     assert!(plant.report.status != Status::Converged || plant.report.residual <= 0.1, "{:?}", plant.report);
     check_plant(&plant);
+}
+
+/// What loads turn to one side, however little, was pushed to the other off an unstable balance, as its mirror image was.
+#[test]
+fn what_is_pushed_off_its_balance_is_mirrored_to_the_bit() {
+    let mut params = Params::default();
+    params.axis.segments = 1;
+    params.axis.taper = 2.7000546158529753e-6;
+    params.axis.elevation = Degrees(-180.0);
+    params.axis.rest_curvature = -2.7000546158529755;
+    params.material.density = 1058012.3328715505;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 2;
+    params.branching.length_ratio = 0.3737223057177652;
+    params.branching.exponent = 45.174302108589615;
+    params.loads.gravity = 1e6;
+    params.loads.tip_force = [0.0, 41225645.816107914, 0.0];
+    params.solver.discretization = Discretization::Paper;
+    params.solver.tolerance = 8.545062253604944e-7;
+    check_mirrored(&params);
+}
+
+/// A lying hair that is pushed together fell upwards to the left and downwards to the right; in space it falls as in the plane.
+#[test]
+fn what_lies_and_cannot_stay_falls_down_to_either_side() {
+    for elevation in [0.0, 180.0] {
+        let mut params = hair(0.005, 0.3);
+        params.axis.segments = 8;
+        params.axis.elevation = Degrees(elevation);
+        params.loads.gravity = 0.0;
+        params.loads.forces.clear();
+        params.loads.tip_force = [if elevation == 0.0 { -3e-3 } else { 3e-3 }, 0.0, 0.0];
+        params.material.youngs_modulus = 1e7;
+        check_mirrored(&params);
+        let planar = grow(&params).unwrap();
+        params.solver.space = true;
+        let spatial = grow(&params).unwrap();
+        for plant in [&planar, &spatial] {
+            let points = &plant.polylines.points;
+            assert_eq!(plant.report.status, Status::Converged);
+            assert!(points[points.len() - 2] < -1.0, "{points:?}");
+        }
+        for (here, there) in planar.polylines.points.iter().zip(&spatial.polylines.points) {
+            assert!((here - there).abs() < 1e-9, "{here} and {there}");
+        }
+    }
+}
+
+/// Half a turn to the preferred direction was one to the left, and so was the mirror image's.
+#[test]
+fn a_tropism_half_a_turn_away_is_mirrored_to_the_bit() {
+    let mut params = Params::default();
+    params.axis.segments = 9;
+    params.axis.elevation = Degrees(-123.78125);
+    params.tropism.elevation = Degrees(56.21875);
+    params.tropism.strength = 0.006085744643306699;
+    params.axis.segment_length = 1000.0;
+    params.axis.length_profile = 100.0;
+    params.axis.radius = 1.1860775053920352e-5;
+    params.material.youngs_modulus = 0.049444461011588274;
+    params.growth.thickening = Thickening::Pipes;
+    params.loads.tip_force = [0.40536209634181025, -1.0944997993195433e-6, 0.0];
+    params.loads.removed = true;
+    params.solver.tolerance = 2.6757835555986313e-14;
+    check_mirrored(&params);
+}
+
+/// Two hundred rounds of a snow that follows limp twigs, each a long search, took seconds: they end when that is seen.
+#[test]
+fn weather_on_a_plant_that_finds_no_rest_ends_soon_and_says_so() {
+    let mut params = Params::default();
+    params.axis.segments = 3;
+    params.axis.radius = 1.3751126982677162;
+    params.axis.length_profile = 0.08582385058028537;
+    params.tropism.strength = 1.27389801493233e-5;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 3;
+    params.branching.girth_ratio = 1.8600960168952663e-7;
+    params.arrangement.pattern = ArrangementPattern::FlexibleStem;
+    params.arrangement.count = 3;
+    params.arrangement.spacing = 0.10320181675594008;
+    params.arrangement.interval = 0;
+    params.arrangement.trunk = 0.0;
+    params.arrangement.stem_radius = 1.260718106929512e-5;
+    params.arrangement.stem_elevation = Degrees(0.0);
+    params.loads.foliage_age = 21441;
+    params.loads.foliage_area = 4.0;
+    params.loads.wind = 25.71389333943694;
+    params.solver.tolerance = 3.391472829547586e-12;
+    params.solver.space = true;
+    let plant = grow(&params).unwrap();
+    check_shape(&plant);
+    assert_eq!(plant.report.status, Status::MaxIterations);
+    assert_eq!(plant.report.stable, None);
+    assert!(plant.report.iterations < 10_000, "{}", plant.report.iterations);
 }

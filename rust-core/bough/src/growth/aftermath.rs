@@ -18,6 +18,8 @@ use crate::trigonometry::sin_cos;
 const SHARE: f64 = 0.25;
 /// Most times that forces are made to follow the shape. They come nearer by a constant factor, and Aitken's by a smaller one.
 const MOST_ROUNDS: u32 = 200;
+/// Most iterations in all of these rounds: where each of them has to search long for its balance, none will be the last.
+const MOST_ITERATIONS: u64 = 3000;
 
 /// A shape that loads act on: in its plane or in space. Loads are sums over everything beyond each rod.
 pub(super) trait Stance: Sized {
@@ -141,7 +143,7 @@ impl Growth {
             outcome.residual = residual;
             let near = off <= SHARE * self.params.solver.tolerance * largest;
             rounds -= 1;
-            if !near && rounds == 0 {
+            if !near && (rounds == 0 || iterations >= MOST_ITERATIONS) {
                 outcome.status = outcome.status.max(Status::MaxIterations);
             }
             if near || outcome.status != Status::Converged {

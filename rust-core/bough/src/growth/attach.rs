@@ -185,8 +185,13 @@ impl Growth {
         let tropism = &self.params.tropism;
         let elevation = sought_in_plane(&self.params).unwrap_or(tropism.elevation);
         // The nearer way round in degrees, where that is exact: so left and right are mirrored to the bit.
-        let sought = Degrees(elevation.0 - self.params.axis.elevation.0).wrapped().radians();
-        let away = wrap(self.direction(bearer) + turn - sought);
+        let mut sought = Degrees(elevation.0 - self.params.axis.elevation.0).wrapped();
+        let direction = self.direction(bearer) + turn;
+        if sought.0.abs() == 180.0 {
+            // Half a turn is as far either way: the side to which the wood points already is the nearer one.
+            sought.0 = libm::copysign(180.0, direction);
+        }
+        let away = wrap(direction - sought.radians());
         turned(away, elasticity(tropism.strength, length)) - away
     }
 }

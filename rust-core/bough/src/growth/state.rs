@@ -116,13 +116,16 @@ impl Growth {
             forked: false,
         };
         let plan = Plan::new(params);
+        let (up, along) = params.axis.elevation.sin_cos();
+        let mut linkage = Linkage::default();
+        linkage.falls_left = if along == 0.0 { up < 0.0 } else { along < 0.0 };
         let first = if plan.stem.is_some() { stem_axis(params) } else { main };
         Growth {
             plan,
             is_spatial: is_spatial(params),
             plane: plane_of(params),
             params: params.clone(),
-            state: State { axes: vec![first], ..State::default() },
+            state: State { axes: vec![first], linkage, ..State::default() },
             laid: Vec::new(),
             angle: Vec::new(),
             orientation: Vec::new(),

@@ -83,7 +83,8 @@ impl Workspace {
 
 impl Workspace {
     /// Past its critical load a straight stem is in balance and not stable. What breaks the balance in a real one is some
-    /// imperfection; here every rod that stands on the ground is pushed by [`LEAN`] first.
+    /// imperfection; here every rod that stands on the ground is pushed by [`LEAN`] first, to the side to which its loads turn
+    /// it, or else to that of [`Linkage::falls_left`]: so that what is mirrored is pushed to the other side.
     pub(super) fn lean(
         &mut self,
         linkage: &mut Linkage,
@@ -100,8 +101,12 @@ impl Workspace {
         }
         let upright = linkage.deviation.clone();
         let found = *outcome;
-        for (parent, deviation) in linkage.parent.iter().zip(&mut linkage.deviation) {
-            *deviation -= if *parent == GROUND { LEAN } else { 0.0 };
+        let torques = self.state.torque.iter();
+        for ((parent, torque), deviation) in linkage.parent.iter().zip(torques).zip(&mut linkage.deviation) {
+            if *parent == GROUND {
+                let turns_left = if *torque == 0.0 { linkage.falls_left } else { *torque > 0.0 };
+                *deviation += if turns_left { LEAN } else { -LEAN };
+            }
         }
         self.descend(linkage, loads, tolerance, outcome);
         if outcome.status != Status::Converged {

@@ -29,9 +29,9 @@ const ON_THE_WAY: f64 = 1e-2;
 /// Balance of a coarser cut that is enough to start a finer one from: the cut itself leaves about as much over.
 const ENOUGH_FOR_A_START: f64 = 1e-3;
 
-/// By how much a plant that is in unstable balance is pushed at its base, radians, to the side of its azimuth (+x in the
-/// plane): the imperfection that decides where a stem past its critical height leans. Where it comes to rest does not
-/// depend on it.
+/// By how much a plant that is in unstable balance is pushed at its base, radians, to the side to which its loads turn it; where
+/// they turn it to neither, down, and if it is upright or hangs to the side of its azimuth (+x in the plane): the imperfection
+/// that decides where a stem past its critical height leans. Where it comes to rest there does not depend on it.
 pub const LEAN: f64 = 1e-3;
 
 /// After a turn so small (radians), what is left over may be proven small instead of being evaluated,

@@ -27,6 +27,8 @@ pub struct Linkage {
     pub rest: Vec<f64>,
     /// Deviation `theta = mu - phi` of each base joint from its rest angle (equation 33).
     pub deviation: Vec<f64>,
+    /// Whether what stands in unstable balance falls counter-clockwise where its loads turn it to neither side.
+    pub falls_left: bool,
     /// How many of the first rods stand each on the one before.
     unbranched: usize,
     pub(super) levels: Levels,

@@ -30,6 +30,9 @@ struct Block {
     step: DVec3,
 }
 
+/// What share of the loads' arms a sum of their torques may be, and a component of a direction, for no other reason than rounding:
+/// far more than the round-off of such sums, far less than anybody means.
+const ROUNDING: f64 = 1e-12;
 const EMPTY: Block = Block { beyond: [0.0; 6], carried: DVec3::ZERO, step: DVec3::ZERO };
 
 /// Torques at one state, and the elimination of the Hessian there. Buffers are kept between uses.
@@ -290,6 +293,21 @@ impl Balance {
     pub fn relative_residual(&self) -> f64 {
         let is_rounding = self.largest_residual <= self.round_off && self.is_unbent();
         if is_rounding { 0.0 } else { self.largest_residual / self.largest_torque }
+    }
+
+    /// Whether a rod with all that it bears falls counter-clockwise about its own third axis, that of bending in its vertical
+    /// plane: as the loads turn it, where that is more than rounding; else down, and from where it is upright or hangs to the
+    /// side of its azimuth. At the state last weighed.
+    pub fn falls_left(&self, rods: Rods, force: &[DVec3], rod: usize) -> bool {
+        let [along, left, about] = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| self.orientation[rod] * axis);
+        let torque = (self.passed[rod] + (rods.length[rod] * along).cross(force[rod])).dot(about);
+        if torque.abs() > ROUNDING * self.reach {
+            torque > 0.0
+        } else if left.y.abs() > ROUNDING {
+            left.y < 0.0
+        } else {
+            along.y < 0.0
+        }
     }
 
     /// Whether the loads bend nothing: no torque exceeds a millionth of the loads' arms.

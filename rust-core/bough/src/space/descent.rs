@@ -103,8 +103,9 @@ impl Workspace {
     }
 
     /// Past its critical load a straight stem is in balance and not stable. What breaks the balance in a real one is some
-    /// imperfection; here every rod that stands on the ground is pushed down in its vertical plane by [`LEAN`] first. Bows that
-    /// could fall over sideways stay in their plane, and are said not to be stable.
+    /// imperfection; here every rod that stands on the ground is pushed in its vertical plane by [`LEAN`] first, to the side to
+    /// which its loads turn it; where that is but a rounding of theirs, down, and if it is upright or hangs to the side of its
+    /// azimuth. Bows that could fall over sideways stay in their plane, and are said not to be stable.
     pub(super) fn lean(
         &mut self,
         rods: Rods,
@@ -119,9 +120,10 @@ impl Workspace {
         }
         let upright = shape.deviation.clone();
         let found = *outcome;
-        for (parent, deviation) in rods.parent.iter().zip(&mut shape.deviation) {
-            if *parent == GROUND {
-                deviation[2] -= LEAN;
+        for (rod, deviation) in shape.deviation.iter_mut().enumerate() {
+            if rods.parent[rod] == GROUND {
+                let falls_left = self.balance.falls_left(rods, force, rod);
+                deviation[2] += if falls_left { LEAN } else { -LEAN };
             }
         }
         self.descend(rods, shape, force, tolerance, outcome);

@@ -5,6 +5,16 @@ use bough::params::Params;
 
 use super::{grow, planar};
 
+/// Whether params that are mirror images differ in nothing that has a side.
+fn is_own_image(params: &Params, mirrored: &Params) -> bool {
+    params.axis.elevation == mirrored.axis.elevation
+        && params.tropism.elevation == mirrored.tropism.elevation
+        && params.axis.rest_curvature == 0.0
+        && params.loads.tip_force[0] == 0.0
+        && params.loads.wind == 0.0
+        && params.loads.forces.iter().all(|pull| pull.force[0] == 0.0)
+}
+
 /// Panics if the plant of the mirrored params is not the mirrored plant.
 pub fn check_mirrored(params: &Params) {
     let Some(params) = planar(params.clone()) else { return };
@@ -20,6 +30,11 @@ pub fn check_mirrored(params: &Params) {
         pull.force[0] *= -1.0;
     }
     let (plant, image) = (grow(&params).unwrap(), grow(&mirrored).unwrap());
+    // What is its own mirror image and cannot stand has to lean to some side, and both lean to the same.
+    if is_own_image(&params, &mirrored) && plant.report.self_buckling.is_some_and(|share| share > 1.0) {
+        assert_eq!(plant.polylines.points, image.polylines.points);
+        return;
+    }
     let opposed: [fn(&Plant) -> &[f64]; 3] = [
         |plant| &plant.segments.moment,
         |plant| &plant.segments.curvature,
