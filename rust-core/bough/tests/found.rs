@@ -354,3 +354,25 @@ fn weather_on_a_plant_that_finds_no_rest_ends_soon_and_says_so() {
     assert_eq!(plant.report.stable, None);
     assert!(plant.report.iterations < 10_000, "{}", plant.report.iterations);
 }
+
+/// A plant that had lost its balance looked for it as long as ever in each further step, and growth took seconds.
+#[test]
+fn growth_after_the_balance_is_lost_passes_soon_and_says_so() {
+    let mut params = Params::default();
+    params.axis.segments = 4;
+    params.axis.segment_length = 1000.0;
+    params.axis.length_profile = 100.0;
+    params.axis.radius = 1e-7;
+    params.axis.taper = 0.005314840014580977;
+    params.axis.elevation = Degrees(-180.0);
+    params.axis.rest_curvature = -835947.4711699479;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 3;
+    params.branching.length_ratio = 1.43297008874769;
+    params.solver.discretization = Discretization::Paper;
+    let plant = grow(&params).unwrap();
+    check_plant(&plant);
+    assert_eq!((plant.report.status, plant.report.stable), (Status::MaxIterations, None));
+    assert!(plant.report.iterations < 5_000, "{}", plant.report.iterations);
+    check_mirrored(&params);
+}

@@ -263,8 +263,9 @@ impl Growth {
                 self.settle_in_space(settings)
             }
             Some(Underway::Newton) => {
-                let State { linkage, loads, trend, .. } = &mut self.state;
+                let State { linkage, loads, trend, report, .. } = &mut self.state;
                 trend.expect(&mut self.guess);
+                self.workspace.is_weary = report.status != Status::Converged;
                 let outcome =
                     settle(linkage, &self.before, loads, &self.guess, settings, &mut self.workspace);
                 if outcome.status == Status::Budget {

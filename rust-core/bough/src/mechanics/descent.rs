@@ -10,6 +10,8 @@ use crate::trigonometry::sin_cos;
 
 /// Iteration limit downhill, where convergence is not quadratic until the end.
 const DESCENT_ITERATIONS: u64 = 500;
+/// The same for a plant that has failed to find its equilibrium before: then no shape is truthful, and the steps must pass.
+const WEARY_ITERATIONS: u64 = 50;
 /// Shifts of the Hessian's diagonal that are tried where it is not definite, from this one up, doubled.
 pub(super) const SMALLEST_SHIFT: f64 = 1.0 / 1_048_576.0;
 /// With this shift the Hessian is positive definite for certain: every negative term of the load is made positive.
@@ -32,7 +34,7 @@ impl Workspace {
         // What a whole step of Newton's method started from: a shortened one stalls for other reasons than rounding.
         let mut previous = f64::INFINITY;
         let (mut least, mut since) = (f64::INFINITY, 0);
-        for _ in 0..DESCENT_ITERATIONS {
+        for _ in 0..if self.is_weary { WEARY_ITERATIONS } else { DESCENT_ITERATIONS } {
             self.state.evaluate(linkage, loads);
             let (done, residual) = balanced(&self.state, linkage, tolerance, previous);
             outcome.residual = residual;

@@ -60,6 +60,8 @@ pub struct Workspace {
     partial: Loads,
     /// Iterations times rods that a search may still take before it is given up; no limit if there is none.
     pub(crate) allowance: Option<u64>,
+    /// Whether no equilibrium was found before, so that less is tried again.
+    pub(crate) is_weary: bool,
     /// For a coarser cut of the same chain.
     coarser: Option<Box<(Coarse, Workspace)>>,
 }
