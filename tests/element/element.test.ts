@@ -117,6 +117,24 @@ describe("an element in a bare page", () => {
     await page.context().close();
   });
 
+  it.each([
+    ["lies between the steps of its slider", "arrangement.divergence", "Divergence", "?v=1"],
+    ["lies past the end of its slider", "tropism.strength", "Tropism strength", "?v=1&tk=1000000"],
+  ])("a value that %s is had again by a reader who goes back", async (_, path, name, link) => {
+    const { page } = await show(`<bough-plant link="${link}" fields="${path}" ${narrow}></bough-plant>`);
+    await drawn(page);
+    const slider = page.getByRole("slider", { name });
+    const value = () => slider.getAttribute("aria-valuetext");
+    const first = await value();
+    await slider.press("ArrowLeft");
+    await page.waitForFunction((link) => document.querySelector("bough-plant")?.link !== link, link);
+    expect(await value()).not.toBe(first);
+    await slider.press("ArrowRight");
+    await page.waitForFunction((link) => document.querySelector("bough-plant")?.link === link, link);
+    expect(await value()).toBe(first);
+    await page.context().close();
+  });
+
   it("prints its picture without the controls, also once they are there", async () => {
     const { page } = await show(`<bough-plant ${narrow}></bough-plant>`);
     await drawn(page);

@@ -72,12 +72,20 @@ function sliderOf(parameter: Parameter, enter: Enter): Dial {
   const { label, unit } = parameter;
   const travel = travelOf(parameter);
   const range = { min: `${travel.min}`, max: `${travel.max}`, step: `${travel.step}` };
-  const slider = rangeOf(label, range, (position, how) => enter(travel.value(position), how));
+  // A value that lies between the slider's steps, or past its ends, is had again where it was shown.
+  let [kept, keptAt] = [Number.NaN, Number.NaN];
+  const slider = rangeOf(label, range, (position, how) =>
+    enter(position === keptAt ? kept : travel.value(position), how),
+  );
   return {
     element: slider.element,
     show: (value) => {
-      const text = quantityText(Number(value), unit);
-      slider.input.value = String(travel.position(Number(value)));
+      const number = Number(value);
+      const text = quantityText(number, unit);
+      slider.input.value = String(travel.position(number));
+      const position = slider.input.valueAsNumber;
+      if (travel.value(position) !== number) [kept, keptAt] = [number, position];
+      else if (position === keptAt) keptAt = Number.NaN;
       slider.input.setAttribute("aria-valuetext", text);
       slider.output.textContent = text;
     },
