@@ -26,13 +26,16 @@ export class Visitor {
    * Waits until a page shows a text, as a person does, and goes on from there.
    * @param {string} address
    * @param {RegExp} text
-   * @param {(page: import("playwright").Page) => Promise<void>} [more]
+   * @param {object} [options]
+   * @param {import("playwright").ViewportSize} [options.viewport] if another one than usual
+   * @param {(page: import("playwright").Page) => Promise<void>} [options.more]
    */
-  watch(address, text, more) {
-    return this.#on(address, /^$/, async (page) => {
+  watch(address, text, { viewport, more } = {}) {
+    const look = async (/** @type {import("playwright").Page} */ page) => {
       await page.locator("body").getByText(text).first().waitFor({ timeout: 60_000 });
       await more?.(page);
-    });
+    };
+    return this.#on(address, /^$/, look, viewport);
   }
 
   /**
@@ -40,10 +43,11 @@ export class Visitor {
    * @param {string} address
    * @param {RegExp} expected
    * @param {(page: import("playwright").Page) => Promise<Result>} look
+   * @param {import("playwright").ViewportSize} [viewport]
    */
-  async #on(address, expected, look) {
+  async #on(address, expected, look, viewport) {
     this.#browser ??= launchChromium();
-    const context = await (await this.#browser).newContext();
+    const context = await (await this.#browser).newContext(viewport ? { viewport } : {});
     const page = await context.newPage();
     /** @type {string[]} */
     const problems = [];
