@@ -38,10 +38,9 @@ async function violations(page: Page): Promise<string[]> {
 }
 
 describe.each([
-  ["light", { colorScheme: "light" }],
-  ["dark", { colorScheme: "dark" }],
-  ["on a phone", phone],
-] as const)("in %s", (_, options) => {
+  ["light, and wide", { colorScheme: "light" }],
+  ["dark, on a phone", { ...phone, colorScheme: "dark" }],
+] as const)("%s", (_, options) => {
   test("no page has a violation, a problem, or more width than the screen", async () => {
     expect(pages.length).toBeGreaterThan(12);
     const { page, problems } = await open("index.html", { ...options });

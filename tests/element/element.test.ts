@@ -280,10 +280,20 @@ describe("an element in a bare page", () => {
 });
 
 describe("what cannot be shown", () => {
-  /** What the element says of a bad attribute, after it has shown a good plant. */
-  async function refusal(bad: Readonly<Record<string, string>>) {
-    const { page } = await show(`<bough-plant preset="figure-13a" controls="none" ${narrow}></bough-plant>`);
+  const good = { preset: "figure-13a", controls: "none" };
+  let page: Page;
+  beforeAll(async () => {
+    const { preset, controls } = good;
+    const shown = await show(
+      `<bough-plant preset="${preset}" controls="${controls}" ${narrow}></bough-plant>`,
+    );
+    page = shown.page;
     await drawn(page);
+  });
+  afterAll(() => page.context().close());
+
+  /** What the element says of bad attributes while it shows a good plant; afterwards it has the good ones again. */
+  async function refusal(bad: Readonly<Record<string, string>>) {
     const detail = await page.locator("bough-plant").evaluate(async (element, bad) => {
       const plant = element as BoughPlantElement;
       const told = new Promise<HTMLElementEventMap["bough-error"]>((resolve) =>
@@ -299,7 +309,14 @@ describe("what cannot be shown", () => {
     }, bad);
     await drawn(page);
     expect(await woodIn(page), "the last good plant stays").toBeGreaterThan(0.005);
-    await page.context().close();
+    await page.locator("bough-plant").evaluate(
+      async (element, { names, good }) => {
+        for (const name of names) element.removeAttribute(name);
+        for (const [name, value] of Object.entries(good)) element.setAttribute(name, value);
+        await (element as BoughPlantElement).settled();
+      },
+      { names: Object.keys(bad), good },
+    );
     return detail;
   }
 
