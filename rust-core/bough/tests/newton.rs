@@ -2,7 +2,11 @@
 //! written out.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may come from any arithmetic")]
-#![allow(clippy::needless_range_loop, reason = "reads like the formula")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::needless_range_loop,
+    reason = "a test may stop, and reads like the formula"
+)]
 
 mod support;
 
@@ -133,6 +137,32 @@ fn light_rods_are_stable_and_compressed_ones_are_not() {
         assert_eq!(compare(&linkage, &loads).ok(), Some(stable));
         let (linkage, loads) = build(&rods, weight, levels(16));
         assert_eq!(compare(&linkage, &loads).ok(), Some(stable));
+    }
+}
+
+/// Where one axis ends and its neighbour forks, a level is as wide as the one before, but its rods do not stand each on its
+/// counterpart: taken for such, forces would go down the wrong branch.
+#[test]
+fn levels_of_one_width_need_not_stand_rod_on_rod() {
+    let width = 8;
+    for ending in 0..width - 1 {
+        // Which axis ends is the same in every fourth level, and elsewhere none does.
+        let parent = |rod: usize| match (rod / width, rod % width) {
+            (0, _) => GROUND,
+            (level, place) => {
+                let moved = usize::from(level % 4 == 3 && place == ending);
+                ((level - 1) * width + place + moved) as u32
+            }
+        };
+        let rods: Vec<Rod> = (0..10 * width)
+            .map(|rod| {
+                let uneven = |period: usize| (rod % period + 1) as f64 / period as f64;
+                (uneven(5), 3.0 * uneven(7), 0.2 - uneven(4), 0.3 - uneven(3), uneven(6), uneven(11) - 0.5)
+            })
+            .collect();
+        let (linkage, loads) = build(&rods, 0.01, parent);
+        compare_torques(&linkage, &loads).unwrap();
+        compare(&linkage, &loads).unwrap();
     }
 }
 

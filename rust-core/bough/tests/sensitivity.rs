@@ -225,6 +225,8 @@ fn newtons_iterations_and_the_relaxation_end_in_one_shape() {
     assert_eq!(euler.residuals.len(), euler.time.len());
     assert_eq!(newton.angle[..12], euler.angle[..12]);
     assert_eq!(newton.outcome.iterations as usize + 1, newton.time.len());
+    // Iterations have no duration: they are counted.
+    assert!(newton.time.iter().zip(0..).all(|(time, count)| *time == f64::from(count)));
     assert!(newton.time.len() < 8 && *newton.residuals.last().unwrap() <= 1e-10);
     assert_eq!(newton.outcome.residual, *newton.residuals.last().unwrap());
     assert!(newton.outcome.residual > 0.0);
