@@ -11,7 +11,7 @@
 mod support;
 
 use bough::grow;
-use bough::mechanics::{GROUND, Linkage, Loads, Settings, hang, polish};
+use bough::mechanics::{GROUND, Linkage, Loads, Settings, Status, Workspace, hang, polish, settle};
 use bough::params::Stepping;
 use support::{distance, heavy_rod};
 
@@ -148,4 +148,67 @@ fn the_back_bent_family_starts_where_it_should() {
         assert_eq!(count(0.995 * critical), 1, "{elevation} deg");
         assert_eq!(count(1.005 * critical), 3, "{elevation} deg");
     }
+}
+
+/// A rod that is bent at rest has many equilibria when it is heavy, most of them stable: which one it hangs in depends on how the
+/// load came. Raised in so small parts that Newton's method cannot leave the branch, it comes to the one that is meant.
+#[test]
+fn what_is_bent_at_rest_hangs_as_loads_raised_little_by_little_leave_it() {
+    for (curvature, q) in [(8.0, 1000.0), (20.0, 300.0), (20.0, 1000.0), (-20.0, 300.0)] {
+        let segments = 10;
+        let length = 1.0 / segments as f64;
+        let (mut linkage, mut loads) = (Linkage::default(), Loads::none(segments));
+        for segment in 0..segments {
+            let (parent, joint) =
+                if segment == 0 { (GROUND, 0.5 * length) } else { (segment as u32 - 1, length) };
+            linkage.push(parent, length, 1.0 / joint, curvature * joint);
+            loads.y[segment] = -q * length;
+        }
+        loads.gather(&linkage);
+        let mut raised = linkage.clone();
+        let parts = 4000;
+        for part in 1..=parts {
+            let mut share = Loads::none(segments);
+            share.add(&loads, f64::from(part) / f64::from(parts));
+            let outcome = polish(&mut raised, &share, SETTINGS);
+            assert_eq!((outcome.status, outcome.unstable_directions), (Status::Converged, Some(0)));
+        }
+        hang(&mut linkage, &loads, SETTINGS);
+        // Left over is 1e-10 of the largest torque; what withstands it is about as stiff as that, unless stability is nearly
+        // lost: a hundredfold for that. The next equilibrium is off by more than 1e-3.
+        assert!(distance(tip(&linkage), tip(&raised)) < 1e-8, "curvature {curvature}, q {q}");
+    }
+}
+
+/// A guess that turns the tip far is made of small changes of many joints, and next to the other equilibrium Newton's method would
+/// stay there. A plant at rest whose loads do not change must stay where it is, whatever is expected of it.
+#[test]
+fn a_guess_that_leads_to_another_branch_is_dropped() {
+    let segments = 100;
+    let (mut linkage, loads) = rod(segments);
+    let base = |tip_angle: f64| balanced_from_the_tip(&linkage, &loads, tip_angle).0;
+    let at = |step: i32| tip_angle(f64::from(step) / 4000.0);
+    let crossings = (0..4000)
+        .filter(|&step| base(at(step)) * base(at(step + 1)) <= 0.0 && base(at(step)).abs() < 1.0)
+        .map(|step| balanced_from_the_tip(&linkage, &loads, at(step)).1);
+    let mut back_bent = linkage.clone();
+    let found = crossings.into_iter().any(|deviation| {
+        back_bent.deviation = deviation;
+        polish(&mut back_bent, &loads, SETTINGS);
+        // Of second order: off by up to 2 / 100^2.
+        distance(tip(&back_bent), STABLE_BUT_WRONG) < 1e-3
+    });
+    assert!(found);
+    hang(&mut linkage, &loads, SETTINGS);
+    let before = tip(&linkage);
+    assert!(distance(before, PHYSICAL) < 1e-3);
+    let changes = back_bent.deviation.iter().zip(&linkage.deviation);
+    let mut guess: Vec<f64> = changes.map(|(there, here)| there - here).collect();
+    assert!(guess.iter().all(|change| change.abs() < 0.2), "no joint turns far of itself");
+    // Next to the other equilibrium, not quite there.
+    guess[0] += 1e-4;
+    let outcome = settle(&mut linkage, &loads, &loads, &guess, SETTINGS, &mut Workspace::default());
+    assert_eq!((outcome.status, outcome.unstable_directions), (Status::Converged, Some(0)));
+    // Nothing but what the guess adds and takes off again is rounded.
+    assert!(distance(tip(&linkage), before) < 1e-8);
 }

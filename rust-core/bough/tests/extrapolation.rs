@@ -104,6 +104,22 @@ fn what_is_not_smooth_is_said() {
     }
 }
 
+/// A cut finer than the axis would cost more than growing the axis itself. Not smooth as this plant is, it asks for finer cuts,
+/// and must be denied them.
+#[test]
+fn no_cut_is_finer_than_the_axis() {
+    let params = with(pipes(300), |params| params.loads.tip_mass = 0.2);
+    let exact = grow(&with(params.clone(), |params| params.solver.tolerance = 1e-14)).unwrap();
+    // Cuts of 48, 96, 144 and 192 segments; their steps are longer, and take up to twice the iterations. Twice as fine they
+    // would be some 1000 steps, and four times as fine, 2000.
+    let steps = f64::from(48 + 96 + 144 + 192);
+    let most = 2.0 * steps * exact.report.iterations as f64 / 300.0;
+    let quick = extrapolated(&params);
+    println!("{} iterations of at most {most:.0}", quick.report.iterations);
+    assert!(quick.report.stepping_error.unwrap() > 5e-7, "it does ask");
+    assert!((quick.report.iterations as f64) < most, "{} {most}", quick.report.iterations);
+}
+
 /// Up to 256 segments, and where an axis is not cut evenly, growth is exact.
 #[test]
 fn small_and_uneven_plants_are_grown_exactly() {

@@ -2,11 +2,15 @@
 //! written out.
 
 #![allow(clippy::disallowed_methods, reason = "expected values may come from any arithmetic")]
-#![allow(clippy::needless_range_loop, reason = "reads like the formula")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::needless_range_loop,
+    reason = "a test may stop, and reads like the formula"
+)]
 
 mod support;
 
-use bough::mechanics::{Elimination, GROUND, Linkage, Loads};
+use bough::mechanics::{Elimination, GROUND, Linkage, Loads, Settings, Status, hang};
 use proptest::prelude::*;
 
 /// Length, stiffness, rest angle, deviation and force of one rod.
@@ -133,5 +137,70 @@ fn light_rods_are_stable_and_compressed_ones_are_not() {
         assert_eq!(compare(&linkage, &loads).ok(), Some(stable));
         let (linkage, loads) = build(&rods, weight, levels(16));
         assert_eq!(compare(&linkage, &loads).ok(), Some(stable));
+    }
+}
+
+/// Where one axis ends and its neighbour forks, a level is as wide as the one before, but its rods do not stand each on its
+/// counterpart: taken for such, forces would go down the wrong branch.
+#[test]
+fn levels_of_one_width_need_not_stand_rod_on_rod() {
+    let width = 8;
+    for ending in 0..width - 1 {
+        // Which axis ends is the same in every fourth level, and elsewhere none does.
+        let parent = |rod: usize| match (rod / width, rod % width) {
+            (0, _) => GROUND,
+            (level, place) => {
+                let moved = usize::from(level % 4 == 3 && place == ending);
+                ((level - 1) * width + place + moved) as u32
+            }
+        };
+        let rods: Vec<Rod> = (0..10 * width)
+            .map(|rod| {
+                let uneven = |period: usize| (rod % period + 1) as f64 / period as f64;
+                (uneven(5), 3.0 * uneven(7), 0.2 - uneven(4), 0.3 - uneven(3), uneven(6), uneven(11) - 0.5)
+            })
+            .collect();
+        let (linkage, loads) = build(&rods, 0.01, parent);
+        compare_torques(&linkage, &loads).unwrap();
+        compare(&linkage, &loads).unwrap();
+    }
+}
+
+/// After a small last turn what is left over is not evaluated but bounded. A rod across its load loses `t (1 - cos u)` of its
+/// torque, so that there the bound `load u^2 (1/2 + u/6)` must hold and be reached but for `u/3` of it; and it is said relative
+/// to the least torque that may act after the turn, `t - load u`. Loads along the rods are counted as if they were across.
+#[test]
+fn what_is_proven_to_be_left_is_no_less_and_hardly_more_than_what_is() {
+    for rods in 1..10_usize {
+        for along in [0.0, -0.3, 0.2] {
+            let (mut linkage, mut loads) = (Linkage::default(), Loads::none(rods));
+            let (mut torque, mut load) = (0.0, 0.0);
+            for rod in 0..rods {
+                let length = 3.0 / (rod + 1) as f64;
+                // Only the base gives way, so that all rods turn as far.
+                let stiffness = if rod == 0 { 4e4 } else { 1e14 };
+                linkage.push(chain(rod), length, stiffness, 0.0);
+                // As gathered loads are, larger towards the base.
+                loads.y[rod] = 5.0 / rods as f64 * (rods - rod) as f64;
+                loads.x[rod] = along * loads.y[rod];
+                torque += length * loads.y[rod];
+                load += length * (loads.x[rod].abs() + loads.y[rod].abs());
+            }
+            let outcome = hang(&mut linkage, &loads, Settings { tolerance: 1e-5 });
+            assert_eq!((outcome.status, outcome.iterations), (Status::Converged, 1));
+            let turn = linkage.deviation[0];
+            assert!((1e-4..1e-3).contains(&turn), "{turn}");
+            let mut state = Elimination::default();
+            state.evaluate(&linkage, &loads);
+            let left = state.largest_residual();
+            let proven = outcome.residual * (torque - load * turn);
+            // The other joints turn by some 1e-13; rounding leaves 1e-16 of the torque, of which 1e-8 and more is left over. A
+            // load along the rods leaves u^3/6 of its own, less than the u/3 between the bound and what is left.
+            let across = proven / left * torque / load;
+            assert!(
+                (1.0..1.0 + turn).contains(&across),
+                "{rods} rods, {along}: {across} at a turn of {turn}"
+            );
+        }
     }
 }

@@ -7,6 +7,7 @@ mod support;
 
 use bough::angle::Degrees;
 use bough::growth::sensitivity;
+use bough::mechanics::Status;
 use bough::params::{
     BranchingPattern, Discretization, PARAMETERS, PRESETS, Params, PointForce, Stepping, Thickening,
 };
@@ -187,6 +188,18 @@ fn where_there_are_none_none_are_given() {
     let mut foreseen = Params::default();
     foreseen.solver.stepping = Stepping::Extrapolated;
     assert!(sensitivity(&foreseen, 40, &modulus).unwrap().is_none());
+    // A forked hair upside down comes to no rest: what is shown of it is no equilibrium, whose slopes alone are derived. Any
+    // other plant that finds no rest would do.
+    let mut restless = Params::default();
+    restless.axis.segments = 2;
+    restless.axis.segment_length = 1.0;
+    restless.axis.radius = 1e-4;
+    restless.axis.elevation = Degrees(-90.0);
+    restless.branching.pattern = BranchingPattern::Bifurcation;
+    restless.branching.generations = 3;
+    restless.branching.girth_ratio = 0.5;
+    assert_eq!(bough::grow(&restless).unwrap().report.status, Status::MaxIterations);
+    assert!(sensitivity(&restless, 40, &modulus).unwrap().is_none());
     // What is counted, chosen, or unknown has no slope; nor has a tip that points exactly away from where it seeks.
     let mut away = Params::default();
     away.axis.elevation = Degrees(-90.0);
@@ -212,6 +225,8 @@ fn newtons_iterations_and_the_relaxation_end_in_one_shape() {
     assert_eq!(euler.residuals.len(), euler.time.len());
     assert_eq!(newton.angle[..12], euler.angle[..12]);
     assert_eq!(newton.outcome.iterations as usize + 1, newton.time.len());
+    // Iterations have no duration: they are counted.
+    assert!(newton.time.iter().zip(0..).all(|(time, count)| *time == f64::from(count)));
     assert!(newton.time.len() < 8 && *newton.residuals.last().unwrap() <= 1e-10);
     assert_eq!(newton.outcome.residual, *newton.residuals.last().unwrap());
     assert!(newton.outcome.residual > 0.0);
@@ -226,6 +241,8 @@ fn where_newton_is_not_trusted_the_equilibrium_is_shown_all_the_same() {
     params.solver.stepping = Stepping::Static;
     let shown = iterations(&params, 20).unwrap();
     assert!(shown.is_led);
+    // To be played, the shape that it is led to must come after those before it.
+    assert!(shown.time.len() >= 2 && shown.time.windows(2).all(|pair| pair[1] > pair[0]));
     let plant = bough::grow(&params).unwrap();
     let [x, y, _] = plant.tip(0);
     let last = &shown.angle[shown.angle.len() - 20..];

@@ -13,9 +13,10 @@ use crate::params::PointForce;
 use crate::space::{self, Balance, Shape, gather};
 use crate::trigonometry::sin_cos;
 
-/// Share of the tolerance that forces may still be off by when the shape that they follow has come to rest; the springs'
-/// balance has what is left.
+/// Share of the tolerance that forces may still be off by when the shape that they follow has come to rest,
 const SHARE: f64 = 0.25;
+/// and share of it for the springs' balance: both together leave room for rounding.
+const SPRINGS_SHARE: f64 = 0.5;
 /// Most times that forces are made to follow the shape. They come nearer by a constant factor, and Aitken's by a smaller one.
 const MOST_ROUNDS: u32 = 200;
 /// Most iterations in all of these rounds: where each of them has to search long for its balance, none will be the last. Of all
@@ -104,7 +105,7 @@ impl Growth {
     /// How exactly to balance, so that there is room in the tolerance for forces that follow the shape.
     pub(super) fn settings(&self) -> Settings {
         let tolerance = self.params.solver.tolerance;
-        Settings { tolerance: if self.has_weather() { (1.0 - 2.0 * SHARE) * tolerance } else { tolerance } }
+        Settings { tolerance: if self.has_weather() { SPRINGS_SHARE * tolerance } else { tolerance } }
     }
 
     /// Brings the plant, which is in equilibrium with the loads that it grew with, to rest under `steady` loads and weather, by

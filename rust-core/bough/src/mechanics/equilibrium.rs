@@ -361,8 +361,9 @@ pub(super) fn largest_turn(linkage: &Linkage, change: &[f64], turn: &mut Vec<f64
     turn.clear();
     for (rod, step) in change.iter().enumerate() {
         let below = if linkage.parent[rod] == GROUND { 0.0 } else { turn[linkage.parent[rod] as usize] };
-        turn.push(below + step);
-        largest = largest.max((below + step).abs());
+        let turned = below + step;
+        turn.push(turned);
+        largest = largest.max(turned.abs());
     }
     largest
 }

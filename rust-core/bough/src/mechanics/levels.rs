@@ -19,7 +19,7 @@ pub(super) struct Levels {
     starts: Vec<u32>,
     /// Whether each level's rods stand one by one on those of the level before.
     steady: Vec<bool>,
-    /// How many rods were numbered so; beyond, the order is another.
+    /// How many rods were numbered so when they came: all of them, or the order is another.
     numbered: usize,
 }
 
@@ -40,9 +40,6 @@ impl Levels {
 
     /// Takes down the next rod.
     pub(super) fn push(&mut self, rod: usize, parent: u32) {
-        if self.numbered < rod {
-            return;
-        }
         let last = self.starts.last().map_or(0, |&start| start as usize);
         let before = self.starts.len().checked_sub(2).map_or(0, |level| self.starts[level] as usize);
         let parent = if parent == GROUND { None } else { Some(parent as usize) };

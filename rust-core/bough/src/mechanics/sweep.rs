@@ -69,3 +69,25 @@ pub(super) fn largest(numbers: &[f64]) -> f64 {
     let sum: f64 = sums.iter().sum::<f64>() + rest.iter().map(|number| number.abs()).sum::<f64>();
     if sum.is_nan() { sum } else { lanes.iter().chain(rest).fold(0.0, |most, number| most.max(number.abs())) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A search that has overflowed ends by what its largest number is: NaN must come through from every place, and a number
+    /// without bound, which is larger than all others, must not become NaN on the way.
+    #[test]
+    fn the_largest_number_is_nan_where_any_is_and_nowhere_else() {
+        for count in 1..10 {
+            for place in 0..count {
+                let mut numbers = [0.5_f64; 10];
+                for size in [2.0, f64::MAX, f64::INFINITY] {
+                    numbers[place] = -size;
+                    assert_eq!(largest(&numbers[..count]), size, "{place} of {count}");
+                }
+                numbers[place] = f64::NAN;
+                assert!(largest(&numbers[..count]).is_nan(), "{place} of {count}");
+            }
+        }
+    }
+}
