@@ -8,7 +8,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { site } from "../../../tools/paths.mjs";
 import { launchChromium } from "../../browser/chromium.ts";
 import { figures, pages } from "../text.ts";
-import { draw, open } from "./reader.ts";
+import { apartFromPosters, draw, open } from "./reader.ts";
 
 const axePath = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const names = [...pages.keys()];
@@ -67,6 +67,15 @@ describe("live figures", () => {
     expect(readings).toHaveLength([...figures.values()].filter(({ readings }) => readings).length);
     expect(readings.join()).not.toMatch(/NaN|undefined/);
     expect(problems).toEqual([]);
+    await page.context().close();
+  });
+
+  it("are what their posters show until then", { timeout: 300_000 }, async () => {
+    const { page } = await open(browser, "index.html");
+    const apart = await apartFromPosters(page);
+    expect(apart.map(([id]) => id)).toEqual([...figures.keys()]);
+    // Nothing, where they were made; elsewhere edges may be smoothed otherwise. They are made anew by npm run figures -- posters.
+    expect(apart.filter(([, share]) => !(share < 0.05))).toEqual([]);
     await page.context().close();
   });
 

@@ -66,3 +66,40 @@ export async function draw(page: Page, ids: readonly string[]): Promise<Drawing[
   await session?.detach();
   return drawings;
 }
+
+/** How much of each figure's plant only the figure has, or only its poster: a share of what both cover. */
+export async function apartFromPosters(page: Page): Promise<(readonly [id: string, share: number])[]> {
+  return page.locator("bough-plant").evaluateAll(async (elements) => {
+    /** How much a plant on nothing covers of each square of a grid. */
+    const cover = (picture: CanvasImageSource): number[] => {
+      const [width, height, side] = [540, 360, 6];
+      const pen = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+      pen?.drawImage(picture, 0, 0);
+      const { data } = pen?.getImageData(0, 0, width, height) ?? { data: [] };
+      const squares = new Array<number>((width * height) / side ** 2).fill(0);
+      data.forEach((value, k) => {
+        const [x, y] = [(k >> 2) % width, Math.floor((k >> 2) / width)];
+        const square = (Math.floor(y / side) * width) / side + Math.floor(x / side);
+        if (k % 4 === 3) squares[square] = (squares[square] ?? 0) + value;
+      });
+      return squares;
+    };
+    const found: [string, number][] = [];
+    for (const element of elements) {
+      const plant = element as HTMLElementTagNameMap["bough-plant"];
+      const poster = plant.querySelector<HTMLImageElement>("img[slot=poster]");
+      if (!poster) throw new Error(`${plant.id} has no poster.`);
+      poster.loading = "eager";
+      await poster.decode();
+      // As they are made.
+      plant.controls = "none";
+      plant.style.width = "542px";
+      await plant.settled();
+      const [there, here] = [cover(poster), cover(await createImageBitmap(await plant.toBlob()))];
+      const sum = (of: (there: number, here: number) => number) =>
+        there.reduce((sum, alpha, square) => sum + of(alpha, here[square] ?? 0), 0);
+      found.push([plant.id, sum((a, b) => Math.abs(a - b)) / sum(Math.max)]);
+    }
+    return found;
+  });
+}
