@@ -295,3 +295,26 @@ proptest! {
         }
     }
 }
+
+/// Turned about the vertical, a planar plant's quaternions have four numbers; each is of length 1 and turns x to its segment.
+#[test]
+fn quaternions_of_a_turned_plant_point_along_its_segments() {
+    let mut params = Params::default();
+    params.axis.segments = 12;
+    params.axis.azimuth = Degrees(40.0);
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 1;
+    let plant = grow(&params).unwrap();
+    let (lines, segments) = (&plant.polylines, &plant.segments);
+    for (segment, turn) in segments.rotation.chunks_exact(4).enumerate() {
+        let [x, y, z, w] = turn else { unreachable!() };
+        let direction = [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)];
+        let end = 3 * segments.point[segment] as usize;
+        for (axis, along) in direction.into_iter().enumerate() {
+            let step = lines.points[end + axis] - lines.points[end - 3 + axis];
+            // Places are sums of two dozen steps, each rounded.
+            assert!((step - segments.length[segment] * along).abs() < 1e-14, "segment {segment}");
+        }
+        assert!((x * x + y * y + z * z + w * w - 1.0).abs() < 4.0 * f64::EPSILON);
+    }
+}

@@ -77,3 +77,19 @@ fn static_growth_that_is_given_up_stands_where_it_stood() {
     assert_eq!((stopped.report.steps, stopped.report.status), (5, Status::Budget));
     assert_eq!(stopped.polylines, before.polylines);
 }
+
+/// Asked for an age before its own, it stayed where it was, for all that any test saw.
+#[test]
+fn an_earlier_age_is_reached_too_from_the_midst_of_a_step_or_not() {
+    for params in kinds() {
+        let early = History::new(&params).unwrap().at(2);
+        let mut history = History::new(&params).unwrap();
+        history.at(5);
+        assert!(history.reach(2, u64::MAX));
+        assert_eq!(history.plant(), early);
+        // A relaxation that has begun is underway between its slices.
+        history.seek(4, 1);
+        assert!(history.reach(2, u64::MAX));
+        assert_eq!(history.plant(), early);
+    }
+}
