@@ -237,4 +237,10 @@ fn a_bare_trunk_lifts_what_stands_around_a_stem() {
         assert!((high[1] - low[1] - lifted).abs() < 1e-14);
     }
     assert_eq!(low.segments.moment, high.segments.moment);
+    // The stem itself is of wood too: cylinders as heavy as they are long and thick.
+    for segment in (0..high.segments.axis.len()).filter(|segment| high.segments.axis[*segment] == 0) {
+        let [length, radius] = [high.segments.length[segment], high.segments.radius[segment]];
+        let mass = params.material.density * core::f64::consts::PI * radius * radius * length;
+        assert!((high.segments.mass[segment] - mass).abs() < 1e-12 * mass);
+    }
 }

@@ -118,20 +118,23 @@ fn forces_are_checked_like_all_params() {
 /// What holds another segment, or a plant of another age, is no grip to go on from.
 #[test]
 fn a_grip_is_gone_on_from_only_where_it_holds() {
-    let params = Params::default();
-    let place = [0.3, 0.2, 0.0];
-    let fresh = |step: u32, segment: u32| {
+    let mut params = Params::default();
+    for space in [false, true] {
+        params.solver.space = space;
+        let place = [0.3, 0.2, 0.0];
+        let fresh = |step: u32, segment: u32| {
+            let mut history = History::new(&params).unwrap();
+            history.at(step);
+            history.hold(segment, place).unwrap()
+        };
         let mut history = History::new(&params).unwrap();
-        history.at(step);
-        history.hold(segment, place).unwrap()
-    };
-    let mut history = History::new(&params).unwrap();
-    history.at(30);
-    history.hold(20, place).unwrap();
-    assert_eq!(history.hold(12, place).unwrap(), fresh(30, 12));
-    history.at(25);
-    assert_eq!(history.hold(12, place).unwrap(), fresh(25, 12));
-    // Held at the same segment it goes on: sooner there than from nothing.
-    let [again, anew] = [history.hold(12, place).unwrap(), fresh(25, 12)];
-    assert!(again.report.iterations < anew.report.iterations, "{:?}", again.report);
+        history.at(30);
+        history.hold(20, place).unwrap();
+        assert_eq!(history.hold(12, place).unwrap(), fresh(30, 12));
+        history.at(25);
+        assert_eq!(history.hold(12, place).unwrap(), fresh(25, 12));
+        // Held at the same segment it goes on: sooner there than from nothing.
+        let [again, anew] = [history.hold(12, place).unwrap(), fresh(25, 12)];
+        assert!(again.report.iterations < anew.report.iterations, "{:?}", again.report);
+    }
 }
