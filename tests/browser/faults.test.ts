@@ -2,7 +2,7 @@
 import type { Browser, Page } from "playwright";
 import { afterAll, beforeAll, describe, expect, inject, it } from "vitest";
 import { launchChromium } from "./chromium.ts";
-import { box, listen, query, readTip, settled, type, visit } from "./visit.ts";
+import { box, dropFile, listen, query, readTip, settled, type, visit } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -67,6 +67,21 @@ describe("a storage that is", () => {
 describe("wasm that", () => {
   const wasm = "**/bough*.wasm";
 
+  /** A page whose wasm comes when it is sent. */
+  async function withLateWasm() {
+    let send = () => {};
+    const late = new Promise<void>((resolve) => {
+      send = resolve;
+    });
+    const opened = await hindered((page) =>
+      page.route(wasm, async (route) => {
+        await late;
+        await route.continue();
+      }),
+    );
+    return { ...opened, send };
+  }
+
   it.each([
     [
       "form",
@@ -80,16 +95,7 @@ describe("wasm that", () => {
   ])(
     "comes late leaves the %s to be used, and the plant that comes is what was chosen",
     async (what, choose, expected) => {
-      let send = () => {};
-      const late = new Promise<void>((resolve) => {
-        send = resolve;
-      });
-      const { page, problems } = await hindered((page) =>
-        page.route(wasm, async (route) => {
-          await late;
-          await route.continue();
-        }),
-      );
+      const { page, problems, send } = await withLateWasm();
       await choose(page);
       expect(await page.evaluate(() => document.documentElement.dataset.settled)).not.toBe("true");
       send();
@@ -102,28 +108,10 @@ describe("wasm that", () => {
   );
 
   it("comes late leaves files to be dropped: a plant, and a photo, are taken when there is somebody who can", async () => {
-    let send = () => {};
-    const late = new Promise<void>((resolve) => {
-      send = resolve;
-    });
-    const { page, problems } = await hindered((page) =>
-      page.route(wasm, async (route) => {
-        await late;
-        await route.continue();
-      }),
-    );
+    const { page, problems, send } = await withLateWasm();
     await page.locator("#controls").waitFor();
-    await page.evaluate(() => {
-      const drop = (file: File) => {
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(file);
-        const event = { dataTransfer, bubbles: true, cancelable: true };
-        document.body.dispatchEvent(new DragEvent("drop", event));
-      };
-      const plant = { axis: { segments: 20 } };
-      drop(new File([JSON.stringify(plant)], "plant.json", { type: "application/json" }));
-      drop(new File([new Uint8Array([1, 2, 3])], "broken.png", { type: "image/png" }));
-    });
+    await dropFile(page, "plant.json", "application/json", JSON.stringify({ axis: { segments: 20 } }));
+    await dropFile(page, "broken.png", "image/png", [1, 2, 3]);
     send();
     await page.getByText("plant.json is open; Undo brings back what was there.").waitFor();
     await page.getByRole("alert").filter({ hasText: "broken.png cannot be read as a picture" }).waitFor();

@@ -4,7 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { grow, init } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
 import { pointOf } from "./points.ts";
-import { placeOf, query, settled, slider, visit } from "./visit.ts";
+import { dropFile, placeOf, query, settled, slider, visit } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -14,19 +14,6 @@ beforeAll(async () => {
 afterAll(() => browser.close());
 
 describe("a photo", () => {
-  /** Drops a file with these bytes on the picture. */
-  async function drop(page: Page, bytes: number[], name: string, mime: string): Promise<void> {
-    await page.evaluate(
-      ({ bytes, name, mime }) => {
-        const data = new DataTransfer();
-        data.items.add(new File([new Uint8Array(bytes)], name, { type: mime }));
-        const event = { dataTransfer: data, bubbles: true, cancelable: true };
-        document.querySelector("canvas.picture")?.dispatchEvent(new DragEvent("drop", event));
-      },
-      { bytes, name, mime },
-    );
-  }
-
   /** The picture as a PNG, at one pixel a CSS pixel. */
   async function pictureOf(page: Page): Promise<number[]> {
     return page.evaluate(async () => {
@@ -70,7 +57,7 @@ describe("a photo", () => {
       // Its own plant hangs lower: from farther away there is room for both below the controls.
       for (let press = 0; press < 2; press++) await page.getByRole("button", { name: "Zoom out" }).click();
       await settled(page);
-      await drop(page, bytes, "branch.png", "image/png");
+      await dropFile(page, "branch.png", "image/png", bytes);
       await page.locator(".overlay image").waitFor();
       const click = ({ x, y }: { x: number; y: number }) => page.mouse.click(x, y);
       // A photo that was dropped asks for its base first.
@@ -129,7 +116,7 @@ describe("a photo", () => {
     const tiff = [...text("MM"), 0, 42, 0, 0, 0, 8, 0, 1, 1, 18, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0];
     const exif = [...text("Exif"), 0, 0, ...tiff];
     const segment = [0xff, 0xe1, 0, exif.length + 2, ...exif];
-    await drop(page, [...bytes.slice(0, 2), ...segment, ...bytes.slice(2)], "turned.jpg", "image/jpeg");
+    await dropFile(page, "turned.jpg", "image/jpeg", [...bytes.slice(0, 2), ...segment, ...bytes.slice(2)]);
     const image = page.locator(".overlay image");
     await image.waitFor();
     expect([await image.getAttribute("width"), await image.getAttribute("height")]).toEqual(["30", "60"]);
@@ -165,19 +152,14 @@ describe("a photo", () => {
 
   it("that is none is told in a sentence, and nothing is lost", async () => {
     const { page } = await visit(browser);
-    await drop(page, [1, 2, 3], "broken.png", "image/png");
+    await dropFile(page, "broken.png", "image/png", [1, 2, 3]);
     await page.getByRole("alert").filter({ hasText: "broken.png cannot be read as a picture" }).waitFor();
-    await drop(page, [60, 115, 118, 103], "drawing.svg", "image/svg+xml");
+    await dropFile(page, "drawing.svg", "image/svg+xml", [60, 115, 118, 103]);
     await page
       .getByRole("alert")
       .filter({ hasText: "drawing.svg is not a photo that can be shown" })
       .waitFor();
-    await page.evaluate(() => {
-      const data = new DataTransfer();
-      data.items.add(new File([new ArrayBuffer(65_000_000)], "huge.png", { type: "image/png" }));
-      const event = { dataTransfer: data, bubbles: true, cancelable: true };
-      document.querySelector("canvas.picture")?.dispatchEvent(new DragEvent("drop", event));
-    });
+    await dropFile(page, "huge.png", "image/png", 65_000_000);
     await page.getByRole("alert").filter({ hasText: "huge.png has 65 MB" }).waitFor();
     expect(await page.locator(".overlay image").count()).toBe(0);
     await page.context().close();

@@ -6,7 +6,7 @@ import type { Text } from "../../web/src/language/english.ts";
 import { french } from "../../web/src/language/french.ts";
 import { german } from "../../web/src/language/german.ts";
 import { spanish } from "../../web/src/language/spanish.ts";
-import { settled, visit } from "./visit.ts";
+import { dropFile, settled, visit } from "./visit.ts";
 
 const dictionaries = { en: null, de: german, fr: french, es: spanish, zh: chinese } as const;
 export type Tag = keyof typeof dictionaries;
@@ -96,11 +96,7 @@ async function inPlane(
     await see(page, `with the dialog “${name}”`);
     await page.keyboard.press("Escape");
   }
-  await page.evaluate(() => {
-    const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File(["hello"], "notes.txt", { type: "text/plain" }));
-    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-  });
+  await dropFile(page, "notes.txt", "text/plain", "hello");
   await page.getByText("notes.txt").waitFor();
   await see(page, "a file refused");
   await page.locator("#axis-segments").fill("30000");

@@ -10,7 +10,7 @@ import { grow, init } from "../../web/src/package/node.ts";
 import { presets } from "../../web/src/params/declaration.ts";
 import { launchChromium } from "./chromium.ts";
 import { openDialog, said, type Tag } from "./sights.ts";
-import { placeOf, query, readTip, settled, visit } from "./visit.ts";
+import { dropFile, placeOf, query, readTip, settled, visit } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -239,19 +239,6 @@ describe("growth", () => {
 });
 
 describe("a file", () => {
-  /** Drops a file on the page, as a person does. */
-  async function drop(page: Page, name: string, type: string, content: string | number): Promise<void> {
-    await page.evaluate(
-      ({ name, type, content }) => {
-        const parts = typeof content === "number" ? [new Uint8Array(content)] : [content];
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File(parts, name, { type }));
-        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-      },
-      { name, type, content },
-    );
-  }
-
   it("that was saved opens to the same plant, dropped or chosen; Undo brings back the other", async () => {
     const { page, dialog, problems } = await open("?v=1&preset=figure-13b&g=3&color=age");
     const { bytes, name } = await saved(page, "JSON");
@@ -261,7 +248,7 @@ describe("a file", () => {
     await page.keyboard.press("Escape");
     await page.getByRole("button", { name: /^Figure 8 d/ }).click();
     await settled(page);
-    await drop(page, name, "application/json", bytes.toString());
+    await dropFile(page, name, "application/json", bytes.toString());
     await page.getByText(`${name} is open`).waitFor();
     await settled(page);
     expect([page.url(), await readTip(page)]).toEqual([link, tip]);
@@ -304,7 +291,7 @@ describe("a file", () => {
       ["picture.svg", "image/svg+xml", "<svg/>", "is not a photo that can be shown here"],
       ["huge.png", "image/png", 500_000_000, "has 500 MB"],
     ] as const) {
-      await drop(page, name, type, content);
+      await dropFile(page, name, type, content);
       const notice = page.locator(".notice.problem, #photo-problem").filter({ hasText: name });
       await notice.waitFor();
       expect(await notice.innerText()).toContain(sentence);

@@ -140,3 +140,23 @@ export async function pull(page: Page, from: { x: number; y: number }, to: { x: 
   await page.locator(".pull data").waitFor();
   await settled(page);
 }
+
+/** Drops a file on the page: of a text, of bytes, or of so many zeros. */
+export async function dropFile(
+  page: Page,
+  name: string,
+  type: string,
+  content: string | number | readonly number[],
+): Promise<void> {
+  await page.evaluate(
+    ({ name, type, content }) => {
+      const bytes = (of: number | readonly number[]) =>
+        typeof of === "number" ? new Uint8Array(of) : new Uint8Array(of);
+      const part = typeof content === "string" ? content : bytes(content);
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([part], name, { type }));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    { name, type, content },
+  );
+}

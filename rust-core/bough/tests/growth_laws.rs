@@ -150,6 +150,18 @@ fn a_stem_past_its_critical_height_leans_and_says_so() {
         assert_eq!((space.report.stable, plane.report.stable), (Some(true), Some(true)));
         assert!((space.report.self_buckling.unwrap() - past).abs() < 1e-8);
     }
+    // A breath, ten million times less than the weight, turns it to the other side, whether it is in the plane or in space.
+    let mut params = heavy_rod(90.0, 12.0, 40);
+    let still = grow(&params).unwrap();
+    params.loads.tip_force =
+        [-1e-7 * params.loads.gravity * still.segments.mass.iter().sum::<f64>(), 0.0, 0.0];
+    for space in [false, true] {
+        params.solver.space = space;
+        let breath = grow(&params).unwrap();
+        assert!(breath.report.self_buckling.unwrap() > 1.0);
+        // What it adds to a bend of order 1 is of its own order, divided by how far the load is past the critical one.
+        assert!((breath.tip(0)[0] + still.tip(0)[0]).abs() < 1e-6 * still.tip(0)[0], "{space}");
+    }
     // What leans anyway has no critical height.
     assert_eq!(grow(&heavy_rod(89.0, 9.0, 20)).unwrap().report.self_buckling, None);
 }

@@ -8,7 +8,7 @@ mod support;
 use bough::angle::Degrees;
 use bough::growth::{AIR, wind, wind_force};
 use bough::mechanics::Status;
-use bough::params::{Discretization, Params, PointForce, Stepping, Thickening};
+use bough::params::{Discretization, PRESETS, Params, PointForce, Stepping, Thickening};
 use bough::{Plant, grow};
 use core::f64::consts::PI;
 
@@ -268,4 +268,24 @@ fn a_pull_against_the_wind_brings_a_mast_back() {
     let plant = grow(&params).unwrap();
     converged(&plant);
     assert!(plant.tip(0)[0].abs() < 1e-4 * line * LENGTH.powi(4) / 8.0 / rigidity());
+}
+
+/// The search for a shape at rest in weather is given up after a thousand iterations: what comes to rest must not be near that.
+#[test]
+fn presets_in_storms_come_to_rest_long_before_the_search_is_given_up() {
+    let (mut rested, mut longest) = (0, 0);
+    for preset in PRESETS {
+        let mut params = Params::of_preset(preset);
+        let calm = grow(&params).unwrap().report.iterations;
+        for (wind, snow) in [(5.0, 0.0), (20.0, 0.0), (40.0, 0.0), (0.0, 20.0), (15.0, 5.0)] {
+            (params.loads.wind, params.loads.snow) = (wind, snow);
+            let report = grow(&params).unwrap().report;
+            if report.status == Status::Converged {
+                rested += 1;
+                longest = longest.max(report.iterations.saturating_sub(calm));
+            }
+        }
+    }
+    println!("{rested} of {} rest, after at most {longest} iterations", 5 * PRESETS.len());
+    assert!(rested > 4 * PRESETS.len() && longest < 500, "{rested} {longest}");
 }

@@ -32,6 +32,7 @@ export class Files {
     });
   }
 
+  /** Opens a file, now or when there is somebody who can. */
   take(file: File): void {
     if (!this.#open(file)) this.#waiting.push(file);
   }

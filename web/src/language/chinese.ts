@@ -343,8 +343,8 @@ export const chinese: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "从生长步 {0} 起它就不可能这样站立：那时它不稳定，真实的植株会倒向一侧。",
     "Not in equilibrium, so nothing can be said.": "未达平衡，因此无从判断。",
-    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
-      "其荷载为使它不能再直立之荷载的 {0}：它已向其方位角一侧倾倒。",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over.":
+      "其荷载为使它不能再直立之荷载的 {0}：它已倾倒。",
     "Its loads are {0} of those at which it could no longer stand straight.":
       "其荷载为使它不能再直立之荷载的 {0}。",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":

@@ -294,7 +294,7 @@ export const english = [
   "Unstable: the least push would tip it over.",
   "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.",
   "Not in equilibrium, so nothing can be said.",
-  "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.",
+  "Its loads are {0} of those at which it can no longer stand straight: it has leaned over.",
   "Its loads are {0} of those at which it could no longer stand straight.",
   "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.",
   "{0} of that",

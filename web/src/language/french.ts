@@ -359,8 +359,8 @@ export const french: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "Elle n’aurait pas pu se tenir ainsi à partir de l’étape {0} : elle y était instable, et une vraie plante aurait basculé d’un côté ou de l’autre.",
     "Not in equilibrium, so nothing can be said.": "Hors d’équilibre : on ne peut rien en dire.",
-    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
-      "Ses charges valent {0} de celles sous lesquelles elle ne peut plus se tenir droite : elle s’est penchée du côté de son azimut.",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over.":
+      "Ses charges valent {0} de celles sous lesquelles elle ne peut plus se tenir droite : elle s’est penchée.",
     "Its loads are {0} of those at which it could no longer stand straight.":
       "Ses charges valent {0} de celles sous lesquelles elle ne pourrait plus se tenir droite.",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":

@@ -363,8 +363,8 @@ export const german: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "So hätte sie ab Wachstumsschritt {0} nicht stehen können: Dort war sie labil, und eine wirkliche Pflanze wäre nach der einen oder anderen Seite gekippt.",
     "Not in equilibrium, so nothing can be said.": "Nicht im Gleichgewicht, also lässt sich nichts sagen.",
-    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
-      "Ihre Lasten betragen {0} derer, bei denen sie nicht mehr gerade stehen kann: Sie hat sich zur Seite ihres Azimuts geneigt.",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over.":
+      "Ihre Lasten betragen {0} derer, bei denen sie nicht mehr gerade stehen kann: Sie hat sich geneigt.",
     "Its loads are {0} of those at which it could no longer stand straight.":
       "Ihre Lasten betragen {0} derer, bei denen sie nicht mehr gerade stehen könnte.",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":

@@ -360,8 +360,8 @@ export const spanish: Dictionary = {
     "It could not have stood like this from growth step {0} on: there it was unstable, and a real plant would have tipped over one way or the other.":
       "Así no habría podido estar desde el paso de crecimiento {0}: allí era inestable, y una planta real habría caído hacia un lado u otro.",
     "Not in equilibrium, so nothing can be said.": "Sin equilibrio, así que nada se puede decir.",
-    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.":
-      "Sus cargas son el {0} de aquellas con las que ya no puede estar derecha: se ha inclinado hacia el lado de su azimut.",
+    "Its loads are {0} of those at which it can no longer stand straight: it has leaned over.":
+      "Sus cargas son el {0} de aquellas con las que ya no puede estar derecha: se ha inclinado.",
     "Its loads are {0} of those at which it could no longer stand straight.":
       "Sus cargas son el {0} de aquellas con las que ya no podría estar derecha.",
     "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.":

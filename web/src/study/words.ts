@@ -162,10 +162,7 @@ export const words = {
     stands: (share: string) =>
       say("Its loads are {0} of those at which it could no longer stand straight.", share),
     leans: (share: string) =>
-      say(
-        "Its loads are {0} of those at which it can no longer stand straight: it has leaned over, to the side of its azimuth.",
-        share,
-      ),
+      say("Its loads are {0} of those at which it can no longer stand straight: it has leaned over.", share),
     buckling: (q: string, critical: string, share: string) =>
       say(
         "An upright axis of even thickness buckles under its own weight at a gravity number of {1} (Greenhill 1881). This one has {0}: {2}.",

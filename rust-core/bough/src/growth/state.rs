@@ -118,6 +118,7 @@ impl Growth {
         let plan = Plan::new(params);
         let (up, along) = params.axis.elevation.sin_cos();
         let mut linkage = Linkage::default();
+        // Down; from where it is upright or hangs, to the side of its azimuth.
         linkage.falls_left = if along == 0.0 { up < 0.0 } else { along < 0.0 };
         let first = if plan.stem.is_some() { stem_axis(params) } else { main };
         Growth {

@@ -65,7 +65,7 @@ pub struct Report {
     /// length of the axis; `None` with any other stepping.
     pub stepping_error: Option<f64>,
     /// Of an upright plant, the present loads over those at which it can no longer stand straight: above 1 it is past its
-    /// critical height, and leans to the side of its azimuth (see [`crate::mechanics::LEAN`]). `None` of any other plant.
+    /// critical height, and leans (to which side: see [`crate::mechanics::LEAN`]). `None` of any other plant.
     pub self_buckling: Option<f64>,
     /// The modulus of rupture over the largest fibre stress: below 1 the plant breaks. `None` where nothing is stressed.
     pub safety_factor: Option<f64>,
