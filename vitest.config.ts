@@ -1,5 +1,5 @@
 import { defineConfig } from "vitest/config";
-import { BaseSequencer, type TestSpecification } from "vitest/node";
+import { BaseSequencer, type Reporter, type TestCase, type TestSpecification } from "vitest/node";
 
 /** The file that takes longest begins first: begun last, it would run on alone while other cores have nothing to do. */
 class LongestFirst extends BaseSequencer {
@@ -9,8 +9,17 @@ class LongestFirst extends BaseSequencer {
   }
 }
 
+/** What fails once and passes at the second try says why it failed. */
+const whyRetried: Reporter = {
+  onTestCaseResult(test: TestCase) {
+    if (!test.diagnostic()?.flaky) return;
+    for (const { message } of test.result().errors ?? []) console.log(`Retried: ${test.name}: ${message}`);
+  },
+};
+
 export default defineConfig({
   test: {
+    reporters: ["default", whyRetried],
     sequence: { sequencer: LongestFirst },
     projects: [
       {

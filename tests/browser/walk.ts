@@ -32,8 +32,8 @@ const sizes = [
   [700, 420],
 ] as const;
 
-/** How long a plant may take before it is cancelled, and everything before it counts as hanging. ms */
-const [patience, longest] = [3000, 60_000];
+/** How long it may play before it is paused, a plant may take before it is cancelled, and everything before it hangs. ms */
+const [playtime, patience, longest] = [300, 3000, 60_000];
 
 interface Walker {
   readonly page: Page;
@@ -216,18 +216,19 @@ async function drag({ page, pick }: Walker): Promise<string> {
 async function rest({ page }: Walker, counts: { cancelled: number }): Promise<void> {
   const isAtRest = () => document.documentElement.dataset.settled === "true";
   const begin = Date.now();
-  while (Date.now() - begin < longest) {
+  for (let wait = playtime; Date.now() - begin < longest; wait = patience - playtime) {
     try {
-      await page.waitForFunction(isAtRest, null, { timeout: patience });
+      await page.waitForFunction(isAtRest, null, { timeout: wait });
       return;
     } catch {
-      const pressed = await page.evaluate(() => {
+      const isLong = Date.now() - begin >= patience;
+      const pressed = await page.evaluate((mayCancel) => {
         const cancel = document.querySelector<HTMLElement>(".progress button");
         const play = document.querySelector<HTMLElement>(".play");
         const plays = /^(Pause|Anhalten|Pausa|暂停)$/.test(play?.ariaLabel ?? "");
-        (cancel ?? (plays ? play : null))?.click();
-        return cancel !== null;
-      });
+        (mayCancel && cancel ? cancel : plays ? play : null)?.click();
+        return mayCancel && cancel !== null;
+      }, isLong);
       counts.cancelled += Number(pressed);
     }
   }

@@ -1,6 +1,6 @@
 // Which shards have passed for the sources as they are: an interrupted run goes on where it was.
 
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { root } from "../paths.mjs";
 import { fingerprintOf } from "../setup/fingerprint.mjs";
@@ -16,8 +16,14 @@ export class Progress {
 
   /** @param {boolean} fresh forget what has passed */
   constructor(fresh) {
-    const saved = existsSync(file) && !fresh ? JSON.parse(readFileSync(file, "utf8")) : {};
-    this.#passed = new Set(saved.sources === this.#sources ? saved.passed : []);
+    if (fresh) rmSync(file, { force: true });
+    this.#passed = new Set(this.#saved());
+  }
+
+  /** @returns {string[]} */
+  #saved() {
+    const saved = existsSync(file) ? JSON.parse(readFileSync(file, "utf8")) : {};
+    return saved.sources === this.#sources ? saved.passed : [];
   }
 
   /** @param {string} name */
@@ -27,7 +33,8 @@ export class Progress {
 
   /** @param {string} name */
   add(name) {
-    this.#passed.add(name);
+    // Others may have passed meanwhile: shards can be run side by side.
+    this.#passed = new Set([...this.#saved(), ...this.#passed, name]);
     mkdirSync(dirname(file), { recursive: true });
     writeFileSync(file, JSON.stringify({ sources: this.#sources, passed: [...this.#passed] }));
   }
