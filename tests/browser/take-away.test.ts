@@ -222,6 +222,20 @@ describe("growth", () => {
     await page.context().close();
   });
 
+  it("left in its midst, shows the full-grown plant again", async () => {
+    const { page, dialog } = await open("?n=40", { reducedMotion: "no-preference" });
+    const length = page.locator(".readout dd").first();
+    await settled(page);
+    const grown = await length.innerText();
+    await dialog.getByRole("button", { name: /^Save (WEBM|MP4)$/ }).click();
+    // The readings follow the film.
+    await expect.poll(() => length.innerText()).not.toBe(grown);
+    await page.keyboard.press("Escape");
+    await settled(page);
+    expect(await length.innerText()).toBe(grown);
+    await page.context().close();
+  });
+
   it("can be cancelled; and where the browser cannot record, the page says so", async () => {
     const { page, dialog } = await open("", { reducedMotion: "no-preference" });
     await dialog.getByRole("button", { name: /^Save (WEBM|MP4)$/ }).click();

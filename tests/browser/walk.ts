@@ -2,7 +2,7 @@
  * Somebody who does anything: seeded random actions on whatever the page offers, and what must hold after each of them. New
  * controls are found by themselves: what can be clicked, typed into or moved is an action.
  */
-import type { Browser, ElementHandle, Page } from "playwright";
+import type { Browser, Page } from "playwright";
 import { quantityText } from "../../web/src/form/quantity.ts";
 import { measure } from "../../web/src/geometry/measure.ts";
 import { history, init } from "../../web/src/package/node.ts";
@@ -38,6 +38,8 @@ const [playtime, patience, longest] = [300, 3000, 60_000];
 interface Walker {
   readonly page: Page;
   readonly problems: string[];
+  /** From 0 to 1, which it never is. */
+  readonly random: () => number;
   readonly pick: <One>(many: readonly One[]) => One;
   readonly chance: (share: number) => boolean;
 }
@@ -64,6 +66,7 @@ export async function walk(browser: Browser, site: string, way: Way): Promise<st
   const walker: Walker = {
     page,
     problems,
+    random,
     pick: (many) => many[Math.floor(random() * many.length)] as (typeof many)[number],
     chance: (share) => random() < share,
   };
@@ -87,7 +90,7 @@ export async function walk(browser: Browser, site: string, way: Way): Promise<st
         counts.undone += await undoAndRedo(walker, before, counts);
     }
   } catch (error) {
-    const last = done.slice(-8).join("; ");
+    const last = done.slice(-20).join("; ");
     throw new Error(`Seed ${seed}, action ${done.length} (${last}) at ${page.url()}: ${error}`, {
       cause: error,
     });
@@ -128,10 +131,13 @@ function paintNothing(): void {
 
 /** One action; returns what it was. */
 async function act(walker: Walker): Promise<string> {
-  const { page, pick, chance } = walker;
+  const { page, random, pick, chance } = walker;
   if (chance(0.15)) {
     const key = pick(keys);
     await page.keyboard.press(key);
+    // What is typed into a box would be entered when the box is left: a step of its own, in the midst of the next action.
+    if (await page.evaluate(() => document.activeElement?.matches("input[type=text], textarea")))
+      await page.keyboard.press("Enter");
     return `key ${key}`;
   }
   if (chance(0.05)) {
@@ -144,59 +150,73 @@ async function act(walker: Walker): Promise<string> {
     return "reload";
   }
   if (chance(0.05)) return drag(walker);
-  const element = await anyControl(walker);
-  return element ? use(walker, element) : "nothing to do";
+  const control = await page.evaluate(choose, random());
+  return control ? use(walker, control) : "nothing to do";
 }
 
-/** Anything that can be used now: in the dialog that is open, else on the page. */
-async function anyControl({ page, pick }: Walker): Promise<ElementHandle<HTMLElement> | null> {
-  const all = await page.evaluateHandle(() => {
-    const within = [...document.querySelectorAll("dialog[open]")].at(-1) ?? document;
-    const found = within.querySelectorAll<HTMLElement>(
-      "button, input, select, summary, textarea, [tabindex='0']",
-    );
-    return [...found].filter(
-      (one) => one.checkVisibility() && !one.matches(":disabled, [type=file], [readonly], [inert] *"),
-    );
-  });
-  const count = await all.evaluate((list) => list.length);
-  if (count === 0) return null;
-  const index = pick(Array.from({ length: count }, (_, number) => number));
-  const one = await all.evaluateHandle((list, at) => list[at] as HTMLElement, index);
-  await all.dispose();
-  return one.asElement();
+/** What a control is, as far as its use depends on it. */
+interface Control {
+  readonly kind: string;
+  readonly name: string;
+  /** Whether it goes back or forth in history. */
+  readonly steps: boolean;
+  /** How many options a choice has. */
+  readonly options: number;
 }
 
-async function use({ page, pick }: Walker, element: ElementHandle<HTMLElement>): Promise<string> {
-  const { kind, name, steps } = await element.evaluate((one) => ({
-    steps: one.matches(".masthead .actions > button:nth-of-type(-n + 2)"),
+/**
+ * Runs in the page: one of all that can be used now, in the dialog that is open, else on the page. What only takes a click gets
+ * it at once; others are left in `chosen` of the window, for the keyboard.
+ */
+function choose(chance: number): Control | null {
+  const within = [...document.querySelectorAll("dialog[open]")].at(-1) ?? document;
+  const all = within.querySelectorAll<HTMLElement>(
+    "button, input, select, summary, textarea, [tabindex='0']",
+  );
+  const usable = [...all].filter(
+    (one) => one.checkVisibility() && !one.matches(":disabled, [type=file], [readonly], [inert] *"),
+  );
+  const one = usable[Math.floor(chance * usable.length)];
+  if (!one) return null;
+  const control = {
     kind: one instanceof HTMLInputElement ? one.type : one.localName,
     name: one.getAttribute("aria-label") || one.id || one.textContent?.trim().slice(0, 30) || one.className,
-  }));
-  if (kind === "range") {
-    const key = pick(travels);
-    await element.focus();
-    await page.keyboard.press(key);
-    // A key that is held down is one step of history; this one is let go.
-    return `${key} on ${name}`;
-  }
-  if (kind === "select") {
-    const options = await element.evaluate((one) => (one as unknown as HTMLSelectElement).options.length);
-    const index = pick(Array.from({ length: options }, (_, number) => number));
-    await element.selectOption({ index });
-    return `option ${index} of ${name}`;
-  }
-  if (kind === "text" || kind === "textarea" || kind === "search" || kind === "number") {
+    steps: one.matches(".masthead .actions > button:nth-of-type(-n + 2)"),
+    options: one instanceof HTMLSelectElement ? one.options.length : 0,
+  };
+  Object.assign(window, { chosen: one });
+  // What is drawn as SVG, like a plot that takes the keyboard, has no click() of its own.
+  if (!/^(range|select|text|textarea|search|number)$/.test(control.kind))
+    one.dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true }));
+  return control;
+}
+
+async function use({ page, pick }: Walker, { kind, name, steps, options }: Control): Promise<string> {
+  if (!/^(range|select|text|textarea|search|number)$/.test(kind))
+    return steps ? `back or forth by ${name}` : `click on ${name}`;
+  const chosen = await page.evaluateHandle(() => (window as unknown as { chosen: HTMLElement }).chosen);
+  const element = chosen.asElement();
+  if (!element) throw new Error(`${name} is lost.`);
+  try {
+    if (kind === "range") {
+      const key = pick(travels);
+      await element.focus();
+      await page.keyboard.press(key);
+      // A key that is held down is one step of history; this one is let go.
+      return `${key} on ${name}`;
+    }
+    if (kind === "select") {
+      const index = pick(Array.from({ length: options }, (_, number) => number));
+      await element.selectOption({ index });
+      return `option ${index} of ${name}`;
+    }
     const text = pick(kind === "number" ? texts.filter((one) => /^[-\d.]+$/.test(one)) : texts);
     await element.fill(text);
     await page.keyboard.press("Enter");
     return `“${text.slice(0, 30)}” into ${name}`;
+  } finally {
+    await element.dispose();
   }
-  // What is drawn as SVG, like a plot that takes the keyboard, has no click() of its own.
-  await element.evaluate((one) =>
-    one.dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true })),
-  );
-  return steps ? `back or forth by ${name}` : `click on ${name}`;
 }
 
 /** Drags across the picture by the mouse: a branch bends, or the view turns. */
@@ -212,25 +232,33 @@ async function drag({ page, pick }: Walker): Promise<string> {
   return "drag";
 }
 
+/** Runs in the page: waits until all is at rest, at most so many ms; whether it is. */
+async function comesToRest(longest: number): Promise<boolean> {
+  for (const begin = performance.now(); performance.now() - begin < longest; ) {
+    if (document.documentElement.dataset.settled === "true") return true;
+    await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+  return false;
+}
+
 /** Waits until all is at rest. What takes long is cancelled, what plays is paused, as a person would. */
 async function rest({ page }: Walker, counts: { cancelled: number }): Promise<void> {
-  const isAtRest = () => document.documentElement.dataset.settled === "true";
   const begin = Date.now();
   for (let wait = playtime; Date.now() - begin < longest; wait = patience - playtime) {
-    try {
-      await page.waitForFunction(isAtRest, null, { timeout: wait });
-      return;
-    } catch {
-      const isLong = Date.now() - begin >= patience;
-      const pressed = await page.evaluate((mayCancel) => {
+    // Back over a reload is another document: what waits in the old one is lost with it.
+    const rests = await page.evaluate(comesToRest, wait).catch(() => false);
+    if (rests) return;
+    const pressed = await page.evaluate(
+      (mayCancel) => {
         const cancel = document.querySelector<HTMLElement>(".progress button");
         const play = document.querySelector<HTMLElement>(".play");
         const plays = /^(Pause|Anhalten|Pausa|暂停)$/.test(play?.ariaLabel ?? "");
         (mayCancel && cancel ? cancel : plays ? play : null)?.click();
         return mayCancel && cancel !== null;
-      }, isLong);
-      counts.cancelled += Number(pressed);
-    }
+      },
+      Date.now() - begin >= patience,
+    );
+    counts.cancelled += Number(pressed);
   }
   throw new Error(`The page does not come to rest within ${longest / 1000} s.`);
 }
@@ -270,10 +298,15 @@ async function undoAndRedo(walker: Walker, before: string, counts: { cancelled: 
   if (await page.locator("dialog[open]").count()) return 0;
   if (!(await button("Undo").isEnabled())) return 0;
   const press = async (name: "Undo" | "Redo", address: string) => {
+    if (!(await button(name).isEnabled()))
+      throw new Error(`${name} of ${before} to ${after} is not offered.`);
     await button(name).evaluate((one: HTMLElement) => one.click());
     const leads = (url: URL) => meaning(url.href) === meaning(address);
-    await page.waitForURL(leads, { timeout: 15_000, waitUntil: "commit" }).catch((error) => {
-      throw new Error(`${name} leads from ${name === "Undo" ? after : before} not to ${address}`, {
+    await page.waitForURL(leads, { timeout: 15_000, waitUntil: "commit" }).catch(async (error) => {
+      const entry = await page.evaluate(() => JSON.stringify([window.history.state, window.history.length]));
+      const offered = (await button(name).isEnabled()) ? "still offered" : "no longer offered";
+      const from = name === "Undo" ? after : before;
+      throw new Error(`${name} leads from ${from} not to ${address}, ${offered}, entry ${entry}`, {
         cause: error,
       });
     });

@@ -1,48 +1,40 @@
 // Mutation testing of the core's mechanics and growth: a change of the code that no test notices is a missing test.
 
-import { existsSync, readFileSync } from "node:fs";
+import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { root, rustCore } from "../paths.mjs";
-import { runCommand } from "../run-command.mjs";
+import { buildSchemata } from "../mutants/schemata.mjs";
+import { learnTests, tryMutants } from "../mutants/trials.mjs";
+import { root } from "../paths.mjs";
 
-/** How many shards: each takes about an hour on a quiet machine with two cores. */
-export const mutantShards = 40;
+/** How many shards: each takes some minutes on a quiet machine with two cores, one of them for the build. */
+export const mutantShards = 8;
 
 /**
- * Tries every so manieth mutant. rust-core/.cargo/mutants.toml says of which files.
+ * Tries every so manieth mutant of all that rust-core/.cargo/mutants.toml names the files of.
  * @param {number} shard from 0 on
  * @returns {Promise<string>} how many were caught, and each that survived
  */
-export async function tryMutants(shard) {
-  const out = join(root, "dist", "mutants", String(shard));
-  const shards = ["--shard", `${shard}/${mutantShards}`, "--sharding", "round-robin", "--output", out];
-  const tests = ["--cargo-test-arg=--locked", "--", "--lib", "--tests"];
-  const command = ["cargo", "mutants", "--package", "bough-plant", ...shards, ...tests];
-  const remedy = "cargo install cargo-mutants --locked";
-  // Survivors are a finding, not a failure of the run: exit code 2.
-  await runCommand(
-    `mutants, shard ${shard}`,
-    ["sh", "-c", `${command.map(quoted).join(" ")}; [ $? -le 3 ]`],
-    {
-      cwd: rustCore,
-      limit: 36_000,
-      remedy,
-    },
-  );
-  const listed = (/** @type {string} */ name) => {
-    const file = join(out, "mutants.out", `${name}.txt`);
-    return existsSync(file) ? readFileSync(file, "utf8").split("\n").filter(Boolean) : [];
-  };
-  const [caught, missed, timedOut] = [listed("caught"), listed("missed"), listed("timeout")];
-  const all = caught.length + missed.length + timedOut.length;
-  const share = (100 * (caught.length + timedOut.length)) / Math.max(all, 1);
+export async function tryShard(shard) {
+  const { mutants, unviable, unswitchable, binaries } = await buildSchemata();
+  const tests = await learnTests(binaries);
+  const mine = mutants.filter((_, index) => index % mutantShards === shard);
+  /** @type {Map<number, { fate: string, by: string }>} */
+  const fates = new Map();
+  await tryMutants(mine, tests, (id, fate, by) => {
+    fates.set(id, { fate, by });
+    if (fates.size % 20 === 0) console.log(`  … ${fates.size} of ${mine.length} mutants`);
+  });
+  const told = mine.map(({ id, name }) => ({ name, ...fates.get(id) }));
+  const folder = join(root, "dist", "mutants");
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, `fates-${shard}.json`), JSON.stringify(told));
+  const count = (/** @type {string} */ fate) => told.filter((mutant) => mutant.fate === fate).length;
+  const noticed = count("caught") + count("timed out");
   return [
-    `${all} mutants, ${share.toFixed(1)} % caught`,
-    ...missed.map((mutant) => `survived: ${mutant}`),
+    `${mine.length} of ${mutants.length} mutants that compile, ${noticed} caught, ${count("timed out")} of them as they do not end: ${((100 * noticed) / mine.length).toFixed(1)} %`,
+    `${unviable.length} do not compile; ${unswitchable.length} are in constants or iterators, and not tried`,
+    ...told
+      .filter(({ fate }) => fate === "survived" || fate === "never reached")
+      .map(({ name, fate }) => `${fate}: ${name}`),
   ].join("\n");
-}
-
-/** @param {string} text */
-function quoted(text) {
-  return `'${text.replaceAll("'", "'\\''")}'`;
 }

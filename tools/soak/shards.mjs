@@ -13,7 +13,7 @@ import { installFromPyPi } from "../setup/peers.mjs";
 import { leastRust } from "../setup/rust.mjs";
 import { buildPlates, comparePlates, looks, platesFolder } from "../visual/plates.mjs";
 import { fuzz, targets } from "./fuzz.mjs";
-import { mutantShards, tryMutants } from "./mutants.mjs";
+import { mutantShards, tryShard } from "./mutants.mjs";
 
 /**
  * @typedef {object} Shard
@@ -51,7 +51,7 @@ export const shards = [
   ...Array.from({ length: mutantShards }, (_, shard) => ({
     job: "mutants",
     name: `mutants, shard ${shard} of ${mutantShards}`,
-    run: () => tryMutants(shard),
+    run: () => tryShard(shard),
   })),
   // The first paints every picture, which the processor does here: an action takes ten times as long.
   ...Array.from({ length: 12 }, (_, part) => ({

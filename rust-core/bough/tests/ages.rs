@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop")]
 
-use bough::History;
 use bough::params::{BranchingPattern, Params, Stepping, Thickening};
+use bough::{Growth, History};
 
 /// Stiff and soft, exact, static and extrapolated, an axis and a tree: the ages in some order, each against a fresh start.
 #[test]
@@ -53,4 +53,20 @@ fn an_age_that_did_not_converge_is_the_same_too() {
         let fresh = History::new(&params).unwrap().at(step);
         assert_eq!(history.at(step), fresh, "step {step}");
     }
+}
+
+/// A forked axis of two segments and two generations: its segments, step by step, with those that the solver puts between.
+#[test]
+fn a_growing_plant_counts_its_segments() {
+    let mut params = Params::default();
+    params.axis.segments = 2;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = 1;
+    let mut growth = Growth::new(&params).unwrap();
+    assert_eq!((growth.segments(), growth.steps_taken()), (0, 0));
+    while growth.step() {
+        let shown = growth.plant().segments.parent.len();
+        assert!(growth.segments() >= shown && shown >= growth.steps_taken() as usize);
+    }
+    assert_eq!(growth.plant().segments.parent.len(), 2 + 2 * 2);
 }

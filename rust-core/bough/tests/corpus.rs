@@ -7,16 +7,11 @@ mod soundness;
 
 /// Runs every kept input through its target.
 fn replay(target: fn(&[u8]), corpus: &str) {
-    let inputs: Vec<Vec<u8>> = corpus.lines().map(unhexed).collect();
+    let inputs: Vec<Vec<u8>> = corpus.lines().map(soundness::unhexed).collect();
     assert!(inputs.len() >= 20, "a corpus of {}", inputs.len());
     for input in &inputs {
         target(input);
     }
-}
-
-fn unhexed(line: &str) -> Vec<u8> {
-    let digits: Vec<u32> = line.chars().map(|digit| digit.to_digit(16).unwrap()).collect();
-    digits.chunks(2).map(|two| (16 * two[0] + two[1]) as u8).collect()
 }
 
 macro_rules! replays {

@@ -9,7 +9,7 @@ use bough::angle::Degrees;
 use bough::growth::sensitivity;
 use bough::mechanics::Status;
 use bough::params::{
-    BranchingPattern, Discretization, PARAMETERS, PRESETS, Params, PointForce, Stepping, Thickening,
+    BranchingPattern, Discretization, Method, PARAMETERS, PRESETS, Params, PointForce, Stepping, Thickening,
 };
 use bough::{History, growth::iterations, relaxation};
 use proptest::prelude::*;
@@ -179,6 +179,19 @@ fn a_tropism_that_is_off_has_a_slope_all_the_same() {
     }
 }
 
+/// The equilibrium has the slopes, not the way to it: they are those of Newton's method also where the paper's is chosen.
+#[test]
+fn the_method_does_not_matter() {
+    let mut params = Params::default();
+    params.axis.segments = 6;
+    let modulus = [place("material.youngsModulus")];
+    let by_newton = sensitivity(&params, 6, &modulus).unwrap().unwrap();
+    params.solver.method = Method::Euler;
+    let by_euler = sensitivity(&params, 6, &modulus).unwrap().unwrap();
+    assert_eq!(by_newton.slopes, by_euler.slopes);
+    assert_eq!(by_newton.plant.report.iterations, by_euler.plant.report.iterations);
+}
+
 #[test]
 fn where_there_are_none_none_are_given() {
     let modulus = [place("material.youngsModulus")];
@@ -188,6 +201,11 @@ fn where_there_are_none_none_are_given() {
     let mut foreseen = Params::default();
     foreseen.solver.stepping = Stepping::Extrapolated;
     assert!(sensitivity(&foreseen, 40, &modulus).unwrap().is_none());
+    let (mut bent, mut spatial) = (Params::default(), Params::default());
+    bent.axis.rest_curvature = 1.0;
+    spatial.solver.space = true;
+    assert!(sensitivity(&bent, 40, &modulus).unwrap().is_none());
+    assert!(sensitivity(&spatial, 40, &modulus).unwrap().is_none());
     // A forked hair upside down comes to no rest: what is shown of it is no equilibrium, whose slopes alone are derived. Any
     // other plant that finds no rest would do.
     let mut restless = Params::default();

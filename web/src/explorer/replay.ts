@@ -57,13 +57,15 @@ export class Replay {
   /** Stays at the present age. */
   pause(): void {
     const { step } = this;
-    this.stop();
+    this.#playback.stop();
     this.#store.set({ step }, "settled");
   }
 
   /** Stops, and goes back to the age of the state. */
   stop(): void {
+    if (!this.plays) return;
     this.#playback.stop();
+    this.#onStep();
   }
 
   /** Shows another age, and stops. */
@@ -71,7 +73,7 @@ export class Replay {
     const last = this.#grown()?.report.steps;
     if (last === undefined) return;
     const step = Math.min(Math.max((this.step ?? last) + steps, 1), last);
-    this.stop();
+    this.#playback.stop();
     this.#store.set({ step: step === last ? null : step }, "settled");
     this.#onStep();
   }

@@ -24,7 +24,7 @@ pub(super) struct Levels {
 }
 
 /// One level: its rods, and whether rod `i` of it stands on rod `i` of the level before.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Level {
     pub(super) rods: Range<usize>,
     /// The level before, where it is as wide and each rod stands on its counterpart.
@@ -47,7 +47,7 @@ impl Levels {
             // On the ground stands only the first level.
             None if self.starts.len() > 1 => return,
             None if rod > 0 => {}
-            Some(parent) if parent < last && (parent < before || self.starts.len() < 2) => return,
+            Some(parent) if parent < before => return,
             Some(parent) if parent < last => {
                 let level = self.starts.len() - 1;
                 self.steady[level] &= parent - before == rod - last;
@@ -215,5 +215,83 @@ impl Rows {
             }
         }
         Some(largest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec;
+
+    /// What [`Levels`] are to be, by their definition: none if the rods come in another order.
+    fn expected(parents: &[u32]) -> Option<Vec<Level>> {
+        let mut depths: Vec<usize> = Vec::new();
+        for &parent in parents {
+            depths.push(if parent == GROUND { 0 } else { depths[parent as usize] + 1 });
+        }
+        if !depths.is_sorted() {
+            return None;
+        }
+        let level = |depth: usize| {
+            depths.partition_point(|&other| other < depth)..depths.partition_point(|&other| other <= depth)
+        };
+        let levels = 0..depths.last().map_or(0, |last| last + 1);
+        Some(
+            levels
+                .map(|depth| {
+                    let rods = level(depth);
+                    let below = depth.checked_sub(1).map(level);
+                    let stands = |below: &Range<usize>| {
+                        let bearers = parents[rods.clone()].iter().map(|&parent| parent as usize);
+                        bearers.eq(below.clone())
+                    };
+                    let bearers = below.filter(stands);
+                    Level { rods, bearers }
+                })
+                .collect(),
+        )
+    }
+
+    /// All trees of up to six rods, some on the ground.
+    #[test]
+    fn levels_are_those_of_the_definition() {
+        let mut trees: Vec<Vec<u32>> = vec![vec![]];
+        for _ in 0..6 {
+            let longest: Vec<Vec<u32>> =
+                trees.iter().filter(|tree| tree.len() == trees[trees.len() - 1].len()).cloned().collect();
+            for tree in longest {
+                for parent in (0..tree.len() as u32).chain([GROUND]) {
+                    let mut tree = tree.clone();
+                    tree.push(parent);
+                    trees.push(tree);
+                }
+            }
+        }
+        let mut accepted = 0;
+        for parents in trees.iter().filter(|tree| !tree.is_empty()) {
+            let mut levels = Levels::default();
+            for (rod, &parent) in parents.iter().enumerate() {
+                levels.push(rod, parent);
+            }
+            let found = (levels.numbered == parents.len()).then(|| levels.iter().collect());
+            assert_eq!(found, expected(parents), "{parents:?}");
+            accepted += usize::from(found.is_some());
+        }
+        assert!(accepted > 100, "{accepted}");
+    }
+
+    #[test]
+    fn levels_are_wide_where_they_hold_four_rods_each() {
+        let levels_of = |wide: u32, high: u32| {
+            let mut levels = Levels::default();
+            for rod in 0..wide * high {
+                levels.push(rod as usize, rod.checked_sub(wide).unwrap_or(GROUND));
+            }
+            levels
+        };
+        assert!(levels_of(4, 3).are_wide(12));
+        assert!(!levels_of(3, 3).are_wide(9));
+        // One more came that was not taken down.
+        assert!(!levels_of(4, 3).are_wide(13));
     }
 }

@@ -74,16 +74,18 @@ pub fn extremes(data: &[u8]) {
 
 /// Forks upon forks, of all widths and angles.
 pub fn forks(data: &[u8]) {
-    let _ = grown(data, Values::Mixed, |params, bytes| {
-        params.arrangement.pattern = ArrangementPattern::Single;
-        params.branching.pattern = BranchingPattern::Bifurcation;
-        params.branching.generations = bytes.int_in_range(0..=6)?;
-        params.axis.segments = bytes.int_in_range(1..=3)?;
-        params.branching.girth_ratio = [1e-9, 1e-3, 0.5, 1.0 - 1e-15, 1.0][bytes.choose_index(5)?];
-        params.branching.exponent = [2.0, 2.0 + 1e-15, 2.49, 3.0, 100.0][bytes.choose_index(5)?];
-        params.branching.length_ratio = [1e-3, 0.5, 1.0, 2.0][bytes.choose_index(4)?];
-        Ok(())
-    });
+    let _ = grown(data, Values::Mixed, fork_often);
+}
+
+fn fork_often(params: &mut Params, bytes: &mut Unstructured) -> Result<()> {
+    params.arrangement.pattern = ArrangementPattern::Single;
+    params.branching.pattern = BranchingPattern::Bifurcation;
+    params.branching.generations = bytes.int_in_range(0..=6)?;
+    params.axis.segments = bytes.int_in_range(1..=3)?;
+    params.branching.girth_ratio = [1e-9, 1e-3, 0.5, 1.0 - 1e-15, 1.0][bytes.choose_index(5)?];
+    params.branching.exponent = [2.0, 2.0 + 1e-15, 2.49, 3.0, 100.0][bytes.choose_index(5)?];
+    params.branching.length_ratio = [1e-3, 0.5, 1.0, 2.0][bytes.choose_index(4)?];
+    Ok(())
 }
 
 /// The ages of a plant in any order and in slices of any size.
@@ -141,15 +143,18 @@ pub fn mirror(data: &[u8]) {
 
 /// Plants in space: what bends aside, twists, forks aside, is lit or blown at from aside.
 pub fn space(data: &[u8]) {
-    let mut bytes = Unstructured::new(data);
-    let Ok(mut params) = case::params(&mut bytes, Values::Mixed) else { return };
-    params.solver.space = true;
-    params.solver.method = Method::Newton;
-    if let Some(params) = grown_by_newton(params, MOST_STEPPED / 4.0) {
+    if let Some(params) = case_in_space(data) {
         let plant = grow(&params).unwrap();
         check_shape(&plant);
         check_moments(&plant);
     }
+}
+
+fn case_in_space(data: &[u8]) -> Option<Params> {
+    let mut params = case::params(&mut Unstructured::new(data), Values::Mixed).ok()?;
+    params.solver.space = true;
+    params.solver.method = Method::Newton;
+    grown_by_newton(params, MOST_STEPPED / 4.0)
 }
 
 /// A point held anywhere.
@@ -182,13 +187,44 @@ fn grown(
     values: Values,
     change: impl Fn(&mut Params, &mut Unstructured) -> Result<()>,
 ) -> Result<()> {
-    let mut bytes = Unstructured::new(data);
-    let mut params = case::params(&mut bytes, values)?;
-    change(&mut params, &mut bytes)?;
-    if let Some(params) = planar(params) {
+    if let Some(params) = case_in_plane(data, values, change)? {
         check_plant(&grow(&params).unwrap());
     }
     Ok(())
+}
+
+fn case_in_plane(
+    data: &[u8],
+    values: Values,
+    change: impl Fn(&mut Params, &mut Unstructured) -> Result<()>,
+) -> Result<Option<Params>> {
+    let mut bytes = Unstructured::new(data);
+    let mut params = case::params(&mut bytes, values)?;
+    change(&mut params, &mut bytes)?;
+    Ok(planar(params))
+}
+
+/// Kept inputs that are a plant each: what they are called, the file, and which plant one is.
+pub type Kept = (&'static str, &'static str, fn(&[u8]) -> Option<Params>);
+
+/// All of them.
+pub const CASES: [Kept; 4] = [
+    ("values", include_str!("../corpus/values.txt"), |data| {
+        case_in_plane(data, Values::Mixed, |_, _| Ok(())).ok()?
+    }),
+    ("extremes", include_str!("../corpus/extremes.txt"), |data| {
+        case_in_plane(data, Values::Extreme, |_, _| Ok(())).ok()?
+    }),
+    ("forks", include_str!("../corpus/forks.txt"), |data| {
+        case_in_plane(data, Values::Mixed, fork_often).ok()?
+    }),
+    ("space", include_str!("../corpus/space.txt"), case_in_space),
+];
+
+/// The bytes that a line of the corpus stands for.
+pub fn unhexed(line: &str) -> Vec<u8> {
+    let digits: Vec<u32> = line.chars().map(|digit| digit.to_digit(16).unwrap()).collect();
+    digits.chunks(2).map(|two| (16 * two[0] + two[1]) as u8).collect()
 }
 
 /// The nearest params that the planar model has; none if there is nothing near.
