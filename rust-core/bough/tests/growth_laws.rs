@@ -165,3 +165,18 @@ fn a_stem_past_its_critical_height_leans_and_says_so() {
     // What leans anyway has no critical height.
     assert_eq!(grow(&heavy_rod(89.0, 9.0, 20)).unwrap().report.self_buckling, None);
 }
+
+/// A hair too little out of balance to bend by itself falls to the side it leans to, grown or not.
+#[test]
+fn a_stem_that_leans_by_a_hair_falls_to_that_side() {
+    for (elevation, side) in [(90.0 - 1e-7, 1.0), (90.0 + 1e-7, -1.0)] {
+        for stepping in [Stepping::Exact, Stepping::Static] {
+            let mut params = heavy_rod(elevation, 30.0, 20);
+            params.solver.stepping = stepping;
+            let plant = grow(&params).unwrap();
+            let aside = plant.tip(0)[0] / side;
+            assert!(aside > 0.1, "{elevation} degrees, {stepping:?}: {aside} m");
+            assert_eq!(plant.report.stable, Some(true));
+        }
+    }
+}

@@ -9,7 +9,8 @@ use bough::angle::Degrees;
 use bough::growth::sensitivity;
 use bough::mechanics::Status;
 use bough::params::{
-    BranchingPattern, Discretization, Method, PARAMETERS, PRESETS, Params, PointForce, Stepping, Thickening,
+    BranchingPattern, Discretization, Method, PARAMETERS, PRESETS, Params, PointForce, Solver, Stepping,
+    Thickening,
 };
 use bough::{History, growth::iterations, relaxation};
 use proptest::prelude::*;
@@ -190,6 +191,11 @@ fn the_method_does_not_matter() {
     let by_euler = sensitivity(&params, 6, &modulus).unwrap().unwrap();
     assert_eq!(by_newton.slopes, by_euler.slopes);
     assert_eq!(by_newton.plant.report.iterations, by_euler.plant.report.iterations);
+    // So are the steps before the one whose way to rest is shown.
+    let of = |method| Params { solver: Solver { method, ..params.solver.clone() }, ..params.clone() };
+    let (newton, euler) = (of(Method::Newton), of(Method::Euler));
+    assert_eq!(relaxation(&newton, 4).unwrap(), relaxation(&euler, 4).unwrap());
+    assert_eq!(iterations(&newton, 4).unwrap(), iterations(&euler, 4).unwrap());
 }
 
 #[test]
