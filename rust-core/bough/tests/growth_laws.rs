@@ -180,3 +180,17 @@ fn a_stem_that_leans_by_a_hair_falls_to_that_side() {
         }
     }
 }
+
+/// What hangs and is pulled up stands as unstably as what stands and is weighed down: both give way to the side of the azimuth.
+#[test]
+fn a_hanging_stem_that_is_pulled_up_gives_way_to_the_side_of_its_azimuth() {
+    let mut params = heavy_rod(-90.0, 1.0, 20);
+    let weight = params.loads.gravity * grow(&params).unwrap().segments.mass.iter().sum::<f64>();
+    params.loads.tip_force = [0.0, 20.0 * weight, 0.0];
+    for stepping in [Stepping::Exact, Stepping::Static] {
+        params.solver.stepping = stepping;
+        let plant = grow(&params).unwrap();
+        assert!(plant.tip(0)[0] > 0.1, "{stepping:?}: {:?}", plant.tip(0));
+        assert_eq!(plant.report.stable, Some(true));
+    }
+}

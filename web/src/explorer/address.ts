@@ -89,7 +89,9 @@ export class Address {
     for (; this.#at > number && this.#store.canUndo; this.#at--) this.#store.undo();
     for (; this.#at < number && this.#store.canRedo; this.#at++) this.#store.redo();
     const { state } = read(location.search);
-    if (!sameState(state, this.#store.state)) this.#store.set(state, "settled");
+    // Links say less than states: a preset's age beyond a shorter axis is its last. What is redone must not be lost over that.
+    const { state: own } = read(write(this.#store.state));
+    if (!sameState(state, own)) this.#store.set(state, "settled");
     this.#at = number;
     this.#settled = this.#own;
     this.#isForeign = true;
