@@ -260,7 +260,24 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
     );
     counts.cancelled += Number(pressed);
   }
-  throw new Error(`The page does not come to rest within ${longest / 1000} s.`);
+  const seen = await page.evaluate(unrest);
+  throw new Error(`The page does not come to rest within ${longest / 1000} s: ${seen}`);
+}
+
+/** Runs in the page: what may be the reason that it does not come to rest. */
+async function unrest(): Promise<string> {
+  const frame = new Promise((resolve) => requestAnimationFrame(() => resolve(true)));
+  const late = new Promise((resolve) => setTimeout(() => resolve(false), 2000));
+  const canvas = document.querySelector<HTMLCanvasElement>("canvas.picture");
+  const text = (of: string) => [...document.querySelectorAll(of)].map((one) => one.textContent?.trim());
+  return JSON.stringify({
+    frames: await Promise.race([frame, late]),
+    visible: document.visibilityState,
+    lost: canvas?.getContext("webgl2")?.isContextLost(),
+    play: document.querySelector(".play")?.ariaLabel,
+    progress: text(".progress"),
+    notices: text(".notice"),
+  });
 }
 
 /** The plant that is shown is that of the address, grown here. Returns 1 where that could be compared. */
