@@ -56,9 +56,10 @@ export async function buildSchemata() {
   for (;;) {
     const mutants = all.filter((mutant) => !unswitchable.has(mutant) && !unviable.has(mutant));
     const placed = await place(mutants);
-    const errors = compile(["check", "--lib"]).errors;
-    if (errors.length === 0) {
-      const { binaries } = compile(["test", "--no-run", "--lib", "--tests"]);
+    const { errors, isDone: compiles } = compile(["check", "--lib"]);
+    if (compiles) {
+      const { binaries, isDone } = compile(["test", "--no-run", "--lib", "--tests"]);
+      if (!isDone) throw new Error("The tests do not compile with the mutants in the core.");
       return { mutants, unviable: [...unviable], unswitchable: [...unswitchable], binaries };
     }
     const left = mutants.length;
@@ -103,12 +104,13 @@ function compile(how) {
   const [command = "", ...rest] = how;
   const args = [command, "--locked", ...rest, ...ofCrate];
   const options = { cwd: core, env: { ...process.env, ...env }, maxBuffer: 2 ** 30 };
-  const { stdout } = spawnSync("cargo", args, options);
+  const { stdout, status } = spawnSync("cargo", args, options);
   const lines = String(stdout).split("\n");
   const said = lines.filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
   /** @type {readonly { message: string, level: string, spans: readonly Span[] }[]} */
   const messages = said.filter(({ reason }) => reason === "compiler-message").map(({ message }) => message);
   return {
+    isDone: status === 0,
     errors: messages.filter(({ level, spans }) => level === "error" && spans.length > 0),
     binaries: said.map(({ executable }) => executable).filter((path) => typeof path === "string"),
   };

@@ -32,8 +32,7 @@ export class Picture {
     );
     canvas.addEventListener("bough-lost", () => notices.add(lost, { tone: "problem" }));
     canvas.addEventListener("bough-restored", () => notices.dismiss(({ text }) => text === lost));
-    canvas.addEventListener("bough-due", onRest);
-    canvas.addEventListener("bough-drawn", onRest);
+    for (const event of ["bough-due", "bough-drawn", "bough-idle"]) canvas.addEventListener(event, onRest);
   }
 
   /** Says what is written on it anew: in another language. */

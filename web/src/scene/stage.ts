@@ -70,7 +70,7 @@ const fingerBreadth = 22;
 
 /**
  * Draws on demand: there are no frames while nothing changes. The canvas dispatches `bough-due` when a picture is asked
- * for, and `bough-drawn` when it is there. The last good picture stays when the press is taken away, and when the graphics
+ * for, and `bough-drawn` when it is there, or `bough-idle` when it cannot be drawn now. The last good picture stays when the press is taken away, and when the graphics
  * card drops it: then the canvas dispatches `bough-lost`, later `bough-restored`.
  */
 export class Stage {
@@ -311,7 +311,10 @@ export class Stage {
     this.#request = 0;
     const placed = this.#framing.at(now);
     const shape = this.#morph.at(now);
-    if (!placed || !shape || !this.#shown || this.#width === 0 || !this.#press || this.#press.isLost) return;
+    if (!placed || !shape || !this.#shown || this.#width === 0 || !this.#press || this.#press.isLost) {
+      this.#tell("bough-idle");
+      return;
+    }
     const turns = this.#camera.advance(now);
     this.#isDue = false;
     if (placed.moves || shape.moves || turns) this.#invalidate();
