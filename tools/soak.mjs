@@ -20,13 +20,14 @@ await orExplain(async () => {
   const mine = shards.filter(
     ({ job }, index) => (only ?? job) === job && index % shard.of === shard.number - 1,
   );
-  const due = mine.filter(({ name }) => !progress.has(name));
+  const due = mine.filter((shard) => !progress.has(shard));
   console.log(`${mine.length - due.length} of ${mine.length} shards have passed before.`);
   /** @type {Map<string, string[]>} */
   const found = new Map();
-  const steps = due.map(({ job, name, run }) => ({
-    name,
+  const steps = due.map((shard) => ({
+    name: shard.name,
     run: async () => {
+      const { job, name, run } = shard;
       const started = performance.now();
       const words = (await run())
         .trim()
@@ -38,7 +39,7 @@ await orExplain(async () => {
         `✓ ${name}, ${time}`,
         ...words.filter((line) => line.trim()),
       ]);
-      progress.add(name);
+      progress.add(shard);
     },
   }));
   try {

@@ -49,6 +49,8 @@ export interface Way {
   readonly seed: number;
   readonly actions: number;
   readonly painted: boolean;
+  /** Told how many actions it has done, every thousand of them. */
+  readonly tell?: (line: string) => void;
 }
 
 /** Takes that many actions; throws with the last of them when something does not hold. Returns how often what was checked. */
@@ -79,6 +81,7 @@ export async function walk(browser: Browser, site: string, way: Way): Promise<st
     for (let action = 0; action < actions; action++) {
       const before = page.url();
       done.push(await act(walker));
+      if (done.length % 1000 === 0) way.tell?.(`${done.length} of ${actions} actions`);
       await rest(walker, counts);
       if (problems.length > 0) throw new Error(problems[0]);
       if (walker.chance(0.2)) counts.compared += await comparePlant(page);
@@ -158,6 +161,8 @@ async function act(walker: Walker): Promise<string> {
 interface Control {
   readonly kind: string;
   readonly name: string;
+  /** Whether it only takes a click, and had it. */
+  readonly isClicked: boolean;
   /** Whether it goes back or forth in history. */
   readonly steps: boolean;
   /** How many options a choice has. */
@@ -178,22 +183,23 @@ function choose(chance: number): Control | null {
   );
   const one = usable[Math.floor(chance * usable.length)];
   if (!one) return null;
+  const kind = one instanceof HTMLInputElement ? one.type : one.localName;
   const control = {
-    kind: one instanceof HTMLInputElement ? one.type : one.localName,
+    kind,
+    isClicked: !/^(range|select|text|textarea|search|number)$/.test(kind),
     name: one.getAttribute("aria-label") || one.id || one.textContent?.trim().slice(0, 30) || one.className,
     steps: one.matches(".masthead .actions > button:nth-of-type(-n + 2)"),
     options: one instanceof HTMLSelectElement ? one.options.length : 0,
   };
   Object.assign(window, { chosen: one });
   // What is drawn as SVG, like a plot that takes the keyboard, has no click() of its own.
-  if (!/^(range|select|text|textarea|search|number)$/.test(control.kind))
-    one.dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true }));
+  if (control.isClicked) one.dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true }));
   return control;
 }
 
-async function use({ page, pick }: Walker, { kind, name, steps, options }: Control): Promise<string> {
-  if (!/^(range|select|text|textarea|search|number)$/.test(kind))
-    return steps ? `back or forth by ${name}` : `click on ${name}`;
+async function use({ page, pick }: Walker, control: Control): Promise<string> {
+  const { kind, name, isClicked, steps, options } = control;
+  if (isClicked) return steps ? `back or forth by ${name}` : `click on ${name}`;
   const chosen = await page.evaluateHandle(() => (window as unknown as { chosen: HTMLElement }).chosen);
   const element = chosen.asElement();
   if (!element) throw new Error(`${name} is lost.`);

@@ -11,7 +11,7 @@ import { testFolder } from "./schemata.mjs";
  * @property {string} binary
  * @property {string} name
  * @property {number} time s
- * @property {ReadonlySet<number>} reached which mutants it comes by
+ * @property {readonly number[]} reached which mutants it comes by
  *
  * @typedef {"caught" | "timed out" | "survived" | "never reached"} Fate
  */
@@ -37,9 +37,8 @@ export async function learnTests(binaries) {
     const fate = await run(binary, name, { BOUGH_REACHED: file }, longest);
     if (fate === "caught") throw new Error(`${name} fails without any mutant.`);
     const time = (performance.now() - started) / 1000;
-    const reached = new Set(
-      existsSync(file) ? readFileSync(file, "utf8").split("\n").filter(Boolean).map(Number) : [],
-    );
+    const lines = existsSync(file) ? readFileSync(file, "utf8").split("\n").filter(Boolean) : [];
+    const reached = [...new Set(lines.map(Number))];
     rmSync(file, { force: true });
     if (fate === "survived") tests.push({ binary, name, time, reached });
   });
@@ -52,8 +51,17 @@ export async function learnTests(binaries) {
  * @param {(id: number, fate: Fate, by: string) => void} tell
  */
 export async function tryMutants(mutants, tests, tell) {
+  /** @type {Map<number, Test[]>} */
+  const comingBy = new Map();
+  for (const test of tests) {
+    for (const id of test.reached) {
+      const coming = comingBy.get(id);
+      if (coming) coming.push(test);
+      else comingBy.set(id, [test]);
+    }
+  }
   await inParallel(mutants, async ({ id }) => {
-    const coming = tests.filter(({ reached }) => reached.has(id));
+    const coming = comingBy.get(id) ?? [];
     for (const { binary, name, time } of coming) {
       const fate = await run(binary, name, { BOUGH_MUTANT: String(id) }, 3 + 5 * time);
       if (fate !== "survived") return tell(id, fate, name);

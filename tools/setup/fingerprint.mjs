@@ -6,13 +6,20 @@ import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join, relative } from "node:path";
 import { root } from "../paths.mjs";
 
-/** What changes nothing in the build: outputs, what is installed, and code that only tests run. */
-const ignored = new Set(["target", "tests", "benches", "examples", "docs", "fuzz", "node_modules", ".venv"]);
+/** Outputs, and what is installed. */
+const made = ["target", "node_modules", ".venv"];
 
-/** @param {readonly string[]} paths */
-export function fingerprintOf(paths) {
+/** What only tests run, and what is only read. */
+const beside = ["tests", "benches", "examples", "docs", "fuzz"];
+
+/**
+ * @param {readonly string[]} paths
+ * @param {{ tests?: boolean }} [options] whether the code that only tests run is of it: it changes nothing in the build
+ */
+export function fingerprintOf(paths, { tests = false } = {}) {
+  const ignored = new Set(tests ? made : [...made, ...beside]);
   const hash = createHash("sha256");
-  for (const file of paths.flatMap(filesUnder)) {
+  for (const file of paths.flatMap((path) => filesUnder(path, ignored))) {
     hash
       .update(`${relative(root, file)}\0`)
       .update(readFileSync(file))
@@ -23,10 +30,11 @@ export function fingerprintOf(paths) {
 
 /**
  * @param {string} path
+ * @param {ReadonlySet<string>} ignored
  * @returns {string[]}
  */
-function filesUnder(path) {
+function filesUnder(path, ignored) {
   if (!statSync(path).isDirectory()) return [path];
   const names = readdirSync(path).filter((name) => !ignored.has(name));
-  return names.sort().flatMap((name) => filesUnder(join(path, name)));
+  return names.sort().flatMap((name) => filesUnder(join(path, name), ignored));
 }

@@ -1,12 +1,12 @@
 // Mutation testing of the core's mechanics and growth: a change of the code that no test notices is a missing test.
 
-import { mkdirSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { buildSchemata } from "../mutants/schemata.mjs";
-import { learnTests, tryMutants } from "../mutants/trials.mjs";
+import { prepare } from "../mutants/prepared.mjs";
+import { tryMutants } from "../mutants/trials.mjs";
 import { root } from "../paths.mjs";
 
-/** How many shards: each takes some minutes on a quiet machine with two cores, one of them for the build. */
+/** How many shards: each takes some minutes on a quiet machine with two cores, the first one a minute more for the build. */
 export const mutantShards = 8;
 
 /**
@@ -15,8 +15,7 @@ export const mutantShards = 8;
  * @returns {Promise<string>} how many were caught, and each that survived
  */
 export async function tryShard(shard) {
-  const { mutants, unviable, unswitchable, binaries } = await buildSchemata();
-  const tests = await learnTests(binaries);
+  const { mutants, unviable, unswitchable, tests } = await prepare();
   const mine = mutants.filter((_, index) => index % mutantShards === shard);
   /** @type {Map<number, { fate: string, by: string }>} */
   const fates = new Map();
@@ -25,9 +24,7 @@ export async function tryShard(shard) {
     if (fates.size % 20 === 0) console.log(`  … ${fates.size} of ${mine.length} mutants`);
   });
   const told = mine.map(({ id, name }) => ({ name, ...fates.get(id) }));
-  const folder = join(root, "dist", "mutants");
-  mkdirSync(folder, { recursive: true });
-  writeFileSync(join(folder, `fates-${shard}.json`), JSON.stringify(told));
+  writeFileSync(join(root, "dist", "mutants", `fates-${shard}.json`), JSON.stringify(told));
   const count = (/** @type {string} */ fate) => told.filter((mutant) => mutant.fate === fate).length;
   const noticed = count("caught") + count("timed out");
   return [

@@ -11,7 +11,7 @@ mod support;
 
 use bough::angle::Degrees;
 use bough::grow;
-use bough::params::{Params, Stepping};
+use bough::params::{ArrangementPattern, Params, Stepping};
 use support::{distance, extrapolated, fitted_order, heavy_rod, piped_rod};
 
 const CUTS: [u32; 5] = [20, 40, 80, 160, 320];
@@ -164,6 +164,15 @@ fn a_stem_past_its_critical_height_leans_and_says_so() {
     }
     // What leans anyway has no critical height.
     assert_eq!(grow(&heavy_rod(89.0, 9.0, 20)).unwrap().report.self_buckling, None);
+    // A stem with axes buckles only where they stand upright as it does.
+    let mut stem = Params::default();
+    stem.axis.segments = 4;
+    stem.arrangement.pattern = ArrangementPattern::FlexibleStem;
+    stem.arrangement.count = 3;
+    for (stands, points, has) in [(90.0, 90.0, true), (80.0, 90.0, false), (90.0, 40.0, false)] {
+        (stem.arrangement.stem_elevation.0, stem.axis.elevation.0) = (stands, points);
+        assert_eq!(grow(&stem).unwrap().report.self_buckling.is_some(), has, "{stands}, {points}");
+    }
 }
 
 /// A hair too little out of balance to bend by itself falls to the side it leans to, grown or not.

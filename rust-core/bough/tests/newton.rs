@@ -204,3 +204,10 @@ fn what_is_proven_to_be_left_is_no_less_and_hardly_more_than_what_is() {
         }
     }
 }
+
+/// As the contract has them: what was called so must be called so for ever.
+#[test]
+fn ways_to_end_are_called_as_promised() {
+    let all = [Status::Converged, Status::Budget, Status::MaxIterations, Status::NonFinite];
+    assert_eq!(all.map(Status::name), ["converged", "budget", "maxIterations", "nonFinite"]);
+}

@@ -92,6 +92,55 @@ fn one_axis_of_a_stem_can_be_held() {
         assert_eq!(same, free.segments.axis[other] != 3, "segment {other}");
     }
     assert_eq!(history.plant(), free);
+    // Every segment of every copy can be, and none of the stem.
+    for (segment, &axis) in free.segments.axis.iter().enumerate() {
+        assert_eq!(history.hold(segment as u32, end_of(&free, segment)).is_some(), axis > 0, "{segment}");
+    }
+}
+
+/// The first segment cannot change its length: its end comes as near as it can, that is to where it is pointed.
+#[test]
+fn the_first_segment_turns_to_where_it_is_drawn() {
+    for (space, aside) in [(false, 0.0), (true, 0.0), (true, 0.4)] {
+        let mut params = Params::default();
+        params.solver.space = space;
+        let mut history = History::new(&params).unwrap();
+        let free = history.at(40);
+        let at = end_of(&free, 0);
+        let length = distance(at, [0.0; 3]);
+        let own = history.hold(0, at).unwrap();
+        assert!(distance(end_of(&own, 0), at) < 1e-9 * length);
+        history.plant();
+        let aim = [at[0] - 0.5 * at[1], at[1] + 0.5 * at[0], aside * length];
+        let held = history.hold(0, aim).unwrap();
+        let expected = aim.map(|along| along * length / distance(aim, [0.0; 3]));
+        assert!(distance(end_of(&held, 0), expected) < 1e-9 * length, "in space: {space}, {aside}");
+        assert!(held.report.residual <= params.solver.tolerance);
+        // Where the base itself is wanted there is no direction to point to.
+        assert!(history.hold(0, [0.0; 3]).is_none());
+    }
+}
+
+/// In space also out of its plane, whichever way it points.
+#[test]
+fn one_axis_of_a_stem_is_held_out_of_its_plane() {
+    let mut params = Params::default();
+    params.axis.segments = 8;
+    params.solver.space = true;
+    params.arrangement.pattern = ArrangementPattern::Stem;
+    params.arrangement.count = 3;
+    params.arrangement.interval = 0;
+    params.arrangement.divergence.0 = 70.0;
+    let mut history = History::new(&params).unwrap();
+    let free = history.at(u32::MAX);
+    for copy in 1..=3 {
+        let segment = free.segments.axis.iter().rposition(|&axis| axis == copy).unwrap();
+        let [x, y, z] = end_of(&free, segment);
+        let (reach, foot) = (x.hypot(z), f64::from(copy) * params.arrangement.spacing);
+        let place = [0.9 * x - 0.2 * z, foot + 0.9 * (y - foot), 0.9 * z + 0.2 * x];
+        let held = history.hold(segment as u32, place).unwrap();
+        assert!(distance(end_of(&held, segment), place) < 1e-8 * reach, "copy {copy}");
+    }
 }
 
 #[test]

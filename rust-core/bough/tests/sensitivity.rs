@@ -146,6 +146,15 @@ fn over_forks_they_agree_with_differences() {
     }
 }
 
+/// The first segment of an axis is its last here, with the turn of the fork in it.
+#[test]
+fn over_axes_of_one_segment_they_agree_with_differences() {
+    let mut params = forked();
+    params.axis.segments = 1;
+    params.branching.length_ratio = 1.0;
+    check_against_differences(&params, ALWAYS, 3).unwrap();
+}
+
 #[test]
 fn on_every_preset_they_agree_with_differences() {
     for preset in PRESETS {
@@ -234,6 +243,12 @@ fn where_there_are_none_none_are_given() {
     let size = found.plant.polylines.points.len();
     let nothing = |wanted: usize| found.slopes[wanted * size..][..size].iter().all(|slope| slope.is_nan());
     assert_eq!([0, 1, 2, 3, 4].map(nothing), [true, true, true, true, false]);
+    // What does not seek at all would turn a long way by the least wish to, and by nothing else.
+    away.tropism.strength = 0.0;
+    let wanted = ["tropism.strength", "tropism.elevation", "axis.elevation"].map(place);
+    let found = sensitivity(&away, 40, &wanted).unwrap().unwrap();
+    let nothing = |wanted: usize| found.slopes[wanted * size..][..size].iter().all(|slope| slope.is_nan());
+    assert_eq!([0, 1, 2].map(nothing), [true, false, false]);
     let mut bad = Params::default();
     bad.axis.radius = -1.0;
     assert!(sensitivity(&bad, 40, &modulus).is_err());

@@ -275,7 +275,14 @@ fn around_a_stem_all_axes_seek_one_light() {
 /// The pointer holds any point at any place of space that is within reach.
 #[test]
 fn points_are_held_in_space() {
-    for (params, segment) in [(bush(), 60), (flexible_stem(), 30)] {
+    // What lies in a plane, though it is computed in space, is drawn out of it as well.
+    let mut planar = Params::default();
+    planar.solver.space = true;
+    // Limp enough that it can be drawn on in any direction.
+    planar.material.youngs_modulus /= 10.0;
+    let mut turned = planar.clone();
+    turned.axis.azimuth = Degrees(50.0);
+    for (params, segment) in [(bush(), 60), (flexible_stem(), 30), (planar, 30), (turned, 39)] {
         let mut history = History::new(&params).unwrap();
         let free = history.at(history.steps());
         let point = 3 * free.segments.point[segment] as usize;

@@ -17,6 +17,9 @@ use crate::space::{
     Balance, Damping, NEUTRAL, Rods, Shape, direction, exp, from_rodrigues, hold, log, rodrigues, settle,
 };
 
+/// A vector this much out of a plane, over its length, lies in it: its parts are rounded a few times when they are turned.
+const ROUNDING: f64 = 1e-12;
+
 /// The normal of the plane of a plant that lies in one and is computed in space all the same.
 pub(super) fn plane_of(params: &Params) -> Option<DVec3> {
     let mut planar = params.clone();
@@ -160,8 +163,14 @@ impl Growth {
             }
             _ => (self.shown_in_space(), DVec3::ZERO),
         };
-        let rods = self.rods_in_space();
-        let place = DVec3::from_array(place);
+        let mut place = DVec3::from_array(place);
+        // What is drawn out of its plane, by more than rounding, is free to leave it.
+        let lies_in = |plane: DVec3, vector: DVec3| plane.dot(vector).abs() <= ROUNDING * vector.length();
+        let plane = self.plane.filter(|plane| lies_in(*plane, place) && lies_in(*plane, start));
+        if let Some(plane) = plane {
+            place -= plane * plane.dot(place);
+        }
+        let rods = Rods { plane, ..self.rods_in_space() };
         let (mut stable, mut pull) = (false, DVec3::ZERO);
         let (outcome, force) =
             self.rest_in_weather(&mut shape, self.steady_loads::<Shape>(), &mut |shape, _, loads| {

@@ -35,7 +35,8 @@ pub struct Held {
 }
 
 /// Finds the force on the distal end of `rod` that holds it at `place` beside the `loads`, and brings the linkage to
-/// equilibrium with both. A place out of reach is drawn in to 0.998 of the reach. `force` is where the search starts:
+/// equilibrium with both. A place out of reach is drawn in to 0.998 of the reach, of
+/// a rod that stands on the ground to where it can be. `force` is where the search starts:
 /// the one that held the point a moment ago, or none.
 ///
 /// A stiff spring draws the point to its place; its end is then moved on by what is left (method of multipliers)
@@ -117,8 +118,15 @@ impl Search {
         }
         path.reverse();
         let reach: f64 = path.iter().map(|&rod| linkage.length[rod]).sum();
-        let shrink = f64::min(1.0, USED_REACH * reach / libm::hypot(place[0], place[1]));
-        let wanted = if shrink < 1.0 { place.map(|part| part * shrink) } else { place };
+        let away = libm::hypot(place[0], place[1]);
+        let wanted = if path.len() == 1 {
+            // No bend shortens a rod alone: its end is on a circle.
+            place.map(|part| part * (reach / away))
+        } else if away > USED_REACH * reach {
+            place.map(|part| part * (USED_REACH * reach / away))
+        } else {
+            place
+        };
         let mut search = Search {
             path,
             reach,

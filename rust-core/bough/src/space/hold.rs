@@ -28,8 +28,8 @@ pub struct Held {
 }
 
 /// Finds the force on the distal end of `rod` that holds it at `place` (from the foot of its path) beside the loads `force`, and
-/// brings the rods to equilibrium with both. A place out of reach is drawn in to 0.998 of the reach. `start` is the force
-/// that the search starts from.
+/// brings the rods to equilibrium with both. A place out of reach is drawn in to 0.998 of the reach, of a rod that
+/// stands on the ground to where it can be. `start` is the force that the search starts from.
 ///
 /// Newton's method for the shape and the force together: with the Hessian H and the derivative B of the point by the rods'
 /// turns, the force changes by `(B H^-1 B^T)^-1` times what the point is still off. The held shape is stable when H has no
@@ -47,7 +47,15 @@ pub fn hold(
     let path = path_to(rods, rod);
     let reach: f64 = path.iter().map(|&rod| rods.length[rod]).sum();
     let most = USED_REACH * reach;
-    let wanted = if place.length() > most { place * (most / place.length()) } else { place };
+    // No bend shortens a rod alone: its end is on a sphere.
+    let is_alone = path.len() == 1;
+    let wanted = if is_alone {
+        place * (reach / place.length())
+    } else if place.length() > most {
+        place * (most / place.length())
+    } else {
+        place
+    };
     let mut balance = Balance::default();
     balance.keeps_pivots = true;
     let mut held = Held { force: start, ..Held::default() };
@@ -78,7 +86,14 @@ pub fn hold(
         let (columns, compliance) = loop {
             let columns = balance.steps_for_forces(rods, &path);
             let column = |axis: usize| balance.moved(rods, &path, |place| columns[place][axis]);
-            let compliance = DMat3::from_cols(column(0), column(1), column(2));
+            let mut compliance = DMat3::from_cols(column(0), column(1), column(2));
+            if is_alone {
+                // Along the rod nothing gives way, and nothing needs to.
+                let along = balance.orientation[rod] * DVec3::X;
+                let trace = compliance.x_axis.x + compliance.y_axis.y + compliance.z_axis.z;
+                compliance +=
+                    DMat3::from_cols(along * along.x, along * along.y, along * along.z) * trace.abs();
+            }
             if balance.unstable == negatives(&compliance) || shift >= 4.0 {
                 break (columns, compliance);
             }
