@@ -122,7 +122,7 @@ function complaints(page: Page): string[] {
 
 /**
  * Runs in the page before its own code. Where the processor paints the picture, most of a walk is painting, which nothing here
- * looks at: all calls of WebGL go through but those that fill pixels.
+ * looks at: all calls of WebGL go through but those that fill pixels, and what fetches them for the page.
  */
 function paintNothing(): void {
   const { prototype } = WebGL2RenderingContext;
@@ -130,6 +130,7 @@ function paintNothing(): void {
   prototype.drawArrays = () => {};
   prototype.drawElementsInstanced = () => {};
   prototype.drawArraysInstanced = () => {};
+  CanvasRenderingContext2D.prototype.drawImage = () => {};
 }
 
 /** One action; returns what it was. */
