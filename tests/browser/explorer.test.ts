@@ -337,6 +337,20 @@ describe("a long computation", () => {
     expect(await page.locator(".readout dd").first().innerText()).toBe("75 cm");
     await page.context().close();
   });
+
+  it("of the first plant can be cancelled as well: the page is at rest without one, and goes on from the form", async () => {
+    const { page } = await visit(browser);
+    await page.goto(new URL("?n=60000", inject("site")).href);
+    await page.getByRole("progressbar", { name: "Growing" }).waitFor();
+    await page.getByRole("button", { name: "Cancel" }).click();
+    await page.getByText("Growing was cancelled").waitFor();
+    await settled(page);
+    expect(await page.locator(".readout dd").count()).toBe(0);
+    expect(await box(page, /^Segments/).inputValue()).toBe("60000");
+    await type(page, /^Segments/, "20");
+    expect(await page.locator(".readout dd").first().innerText()).toBe("75 cm");
+    await page.context().close();
+  });
 });
 
 describe("the gallery", () => {

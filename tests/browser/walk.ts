@@ -84,7 +84,7 @@ export async function walk(browser: Browser, site: string, way: Way): Promise<st
       if (done.length % 1000 === 0) way.tell?.(`${done.length} of ${actions} actions`);
       await rest(walker, counts);
       if (problems.length > 0) throw new Error(problems[0]);
-      if (walker.chance(0.2)) counts.compared += await comparePlant(page);
+      if (walker.chance(0.2)) counts.compared += await comparePlant(page, counts.cancelled > 0);
       // After an undo the way back leads elsewhere.
       const wentBack = /^(key Control|back or forth)/.test(done.at(-1) ?? "");
       // What is pinned is in the address, and no step of the history.
@@ -287,19 +287,23 @@ async function unrest(): Promise<string> {
   });
 }
 
-/** The plant that is shown is that of the address, grown here. Returns 1 where that could be compared. */
-export async function comparePlant(page: Page): Promise<number> {
+/**
+ * The plant that is shown is that of the address, grown here; if the first was cancelled, there may be none. Returns 1 where
+ * that could be compared.
+ */
+export async function comparePlant(page: Page, mayHaveNone = false): Promise<number> {
   const { state } = read(new URL(page.url()).search);
   const steps = stepsOf(state.params);
   // A plant in a hand is bent by it, one that is filmed passes through its ages, and what takes long was cancelled.
   const isElsewhere = await page.locator("[aria-pressed=true].hold, .holds, dialog[open]").count();
   if (steps > 500 || isElsewhere > 0) return 0;
+  const shown = await page.locator(".readout dd").allInnerTexts();
+  if (shown.length === 0 && mayHaveNone) return 0;
   const { report, ...plant } = history(state.params).at(state.step ?? steps);
   const { length } = measure({ report, ...plant });
   const language = await page.evaluate(() => document.documentElement.lang);
   const local = (text: string) => (/^(de|fr|es)/.test(language) ? text.replace(".", ",") : text);
   const expected = [quantityText(length, "m"), quantityText(report.gravityNumber, "")].map(local);
-  const shown = await page.locator(".readout dd").allInnerTexts();
   const found = [shown[0]?.trim(), shown[2]?.trim().slice(0, expected[1]?.length)];
   if (found.join() !== expected.join()) {
     throw new Error(`The address says ${expected.join(", ")}, the page ${found.join(", ")}.`);
@@ -336,7 +340,10 @@ async function undoAndRedo(walker: Walker, before: string, counts: { cancelled: 
     });
     await rest(walker, counts);
   };
+  const cancelled = counts.cancelled;
   await press("Undo", before);
+  // What is cancelled goes back to what was shown: another step.
+  if (counts.cancelled > cancelled) return 0;
   await press("Redo", after);
   return 1;
 }

@@ -298,11 +298,11 @@ export class Explorer {
     }
   }
 
-  /** Says whether all is at rest, and describes it then. */
+  /** Says whether all is at rest, and describes it then. Who cancels the first plant has none, and no reason to wait. */
   #rest(): void {
     const moves = this.#picture?.stage.moving || this.#passage.plant !== null || this.#touch?.busy;
     const works = this.#intake?.busy || this.#grower?.busy || moves;
-    const rests = this.#plant !== null && !works && !this.#replay.plays && !this.#drags;
+    const rests = this.#grower !== null && !works && !this.#replay.plays && !this.#drags;
     document.documentElement.dataset.settled = String(rests);
     const shape = this.#shape;
     if (shape) this.#study?.show({ shape, rests });

@@ -22,11 +22,11 @@ use bough::mechanics::Status;
 use bough::params::{
     ArrangementPattern, BranchingPattern, Method, PARAMETERS, Params, Thickening, check, check_flat,
 };
-use bough::{History, grow};
+use bough::{History, Plant, grow};
 
 pub use case::Values;
 pub use mirror::check_mirrored;
-pub use moments::check_moments;
+pub use moments::{check_held_moments, check_moments};
 pub use sound::{check_held, check_plant, check_shape};
 
 /// Most segment-steps of a plant that is grown here: tens of microseconds each.
@@ -141,17 +141,41 @@ pub fn mirror(data: &[u8]) {
     });
 }
 
-/// Plants in space: what bends aside, twists, forks aside, is lit or blown at from aside.
+/// Plants in space: what bends aside, twists, forks aside, is lit or blown at from aside, and is drawn aside by a point.
 pub fn space(data: &[u8]) {
-    if let Some(params) = case_in_space(data) {
-        let plant = grow(&params).unwrap();
-        check_shape(&plant);
-        check_moments(&plant);
-    }
+    let _ = draw_aside(data);
 }
 
-fn case_in_space(data: &[u8]) -> Option<Params> {
-    let mut params = case::params(&mut Unstructured::new(data), Values::Mixed).ok()?;
+fn draw_aside(data: &[u8]) -> Result<()> {
+    let mut bytes = Unstructured::new(data);
+    let Some(params) = spatial(case::params(&mut bytes, Values::Mixed)?) else { return Ok(()) };
+    let mut history = History::new(&params).unwrap();
+    let free = history.at(history.steps());
+    check_shape(&free);
+    check_moments(&free);
+    for _ in 0..bytes.int_in_range(0_u8..=2)? {
+        let segment = bytes.int_in_range(0..=free.segments.parent.len() as u32)?;
+        if let Some(held) = history.hold(segment, place_near(&mut bytes, &free)?) {
+            assert_eq!(held.params.loads.forces.len(), 1);
+            check_shape(&held);
+            check_held_moments(&held);
+        }
+    }
+    assert_eq!(history.plant().fingerprint(), free.fingerprint(), "letting go leaves a trace");
+    Ok(())
+}
+
+/// Somewhere within three times the plant's reach, if need be far out of its plane.
+fn place_near(bytes: &mut Unstructured, plant: &Plant) -> Result<[f64; 3]> {
+    let reach = 3.0 * plant.segments.length.iter().sum::<f64>();
+    let mut place = [0.0; 3];
+    for along in &mut place {
+        *along = case::number(bytes, -reach, reach)?;
+    }
+    Ok(place)
+}
+
+fn spatial(mut params: Params) -> Option<Params> {
     params.solver.space = true;
     params.solver.method = Method::Newton;
     grown_by_newton(params, MOST_STEPPED / 4.0)
@@ -218,7 +242,9 @@ pub const CASES: [Kept; 4] = [
     ("forks", include_str!("../corpus/forks.txt"), |data| {
         case_in_plane(data, Values::Mixed, fork_often).ok()?
     }),
-    ("space", include_str!("../corpus/space.txt"), case_in_space),
+    ("space", include_str!("../corpus/space.txt"), |data| {
+        spatial(case::params(&mut Unstructured::new(data), Values::Mixed).ok()?)
+    }),
 ];
 
 /// The bytes that a line of the corpus stands for.

@@ -11,11 +11,20 @@ use super::forces::forces;
 /// Panics if a joint does not bear the moment of all forces beyond it: bending and twisting together, up to the residual
 /// that the plant states. O(n^2), for small plants. Around a rigid stem each copy stands for itself.
 pub fn check_moments(plant: &Plant) {
+    check(plant, !plant.params.loads.removed);
+}
+
+/// As [`check_moments`], of a plant that is held: the hand's force acts even where all loads are taken off.
+pub fn check_held_moments(plant: &Plant) {
+    check(plant, true);
+}
+
+fn check(plant: &Plant, pulled: bool) {
     let Plant { params, polylines, segments, report } = plant;
     if report.status != Status::Converged || params.arrangement.pattern == ArrangementPattern::Stem {
         return;
     }
-    let (forces, size) = forces(plant, !params.loads.removed);
+    let (forces, size) = forces(plant, pulled);
     let count = segments.parent.len();
     let place = |point: usize| [0, 1, 2].map(|axis| polylines.points[3 * point + axis]);
     let bearer = |segment: usize| usize::try_from(segments.parent[segment]).ok();
