@@ -52,7 +52,7 @@ export async function fuzz(name, runs) {
     `-runs=${runs}`,
     `-timeout=${stopped}`,
     `-report_slow_units=${hanging}`,
-    "-max_len=400",
+    "-max_len=900",
     "-use_counters=0",
     "-reduce_inputs=0",
     "-print_final_stats=1",

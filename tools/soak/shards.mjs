@@ -2,7 +2,6 @@
 
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { buildSite } from "../build-site.mjs";
 import { cargo, nodeCommand } from "../commands.mjs";
 import { matrix } from "../consumers/matrix.mjs";
 import { runMatrix } from "../consumers/run-matrix.mjs";
@@ -12,6 +11,7 @@ import { runCommand } from "../run-command.mjs";
 import { installFromPyPi } from "../setup/peers.mjs";
 import { leastRust } from "../setup/rust.mjs";
 import { buildPlates, comparePlates, looks, platesFolder } from "../visual/plates.mjs";
+import { haveSite } from "./built-site.mjs";
 import { fuzz, targets } from "./fuzz.mjs";
 import { mutantShards, tryShard } from "./mutants.mjs";
 
@@ -115,7 +115,7 @@ async function languages(tag) {
  * @param {RegExp} telling which lines of what is printed are evidence
  */
 async function soakTest(what, files, env, telling) {
-  await buildSite();
+  await haveSite();
   const soak = [...nodeCommand("vitest"), "run", "--project", "soak", files];
   const printed = await runCommand(what, soak, { limit: 18_000, env: { NO_COLOR: "1", ...env } });
   return printed
