@@ -44,15 +44,6 @@ interface Walker {
   readonly chance: (share: number) => boolean;
 }
 
-/** How often what was done and compared. */
-interface Counts {
-  compared: number;
-  undone: number;
-  cancelled: number;
-  /** The browser gave no frames to a page that was visible and answered, until its window changed. */
-  woken: number;
-}
-
 /** A walk: where its chances come from, how many actions it has, and whether the picture is painted on the way. */
 export interface Way {
   readonly seed: number;
@@ -82,7 +73,7 @@ export async function walk(browser: Browser, site: string, way: Way): Promise<st
     chance: (share) => random() < share,
   };
   const done: string[] = [];
-  const counts: Counts = { compared: 0, undone: 0, cancelled: 0, woken: 0 };
+  const counts = { compared: 0, undone: 0, cancelled: 0 };
   try {
     if (!painted) await page.addInitScript(paintNothing);
     await page.goto(site);
@@ -109,9 +100,9 @@ export async function walk(browser: Browser, site: string, way: Way): Promise<st
   } finally {
     await context.close();
   }
-  const { compared, undone, cancelled, woken } = counts;
+  const { compared, undone, cancelled } = counts;
   const how = painted ? "" : " without paint";
-  return `seed ${seed}: ${done.length} actions${how}, plant and address compared ${compared} times, ${undone} undone and redone, ${cancelled} long ones cancelled, the browser woken ${woken} times: 0 broken`;
+  return `seed ${seed}: ${done.length} actions${how}, plant and address compared ${compared} times, ${undone} undone and redone, ${cancelled} long ones cancelled: 0 broken`;
 }
 
 /** Whatever the page complains of. */
@@ -258,8 +249,7 @@ async function comesToRest(longest: number): Promise<boolean> {
 }
 
 /** Waits until all is at rest. What takes long is cancelled, what plays is paused, as a person would. */
-async function rest(walker: Walker, counts: Counts, isWoken = false): Promise<void> {
-  const { page } = walker;
+async function rest({ page }: Walker, counts: { cancelled: number }): Promise<void> {
   const begin = Date.now();
   for (let wait = playtime; Date.now() - begin < longest; wait = patience - playtime) {
     // Back over a reload is another document: what waits in the old one is lost with it.
@@ -278,29 +268,23 @@ async function rest(walker: Walker, counts: Counts, isWoken = false): Promise<vo
     counts.cancelled += Number(pressed);
   }
   const seen = await page.evaluate(unrest);
-  // A page that answers cannot keep frames from itself.
-  if (seen.frames || isWoken) {
-    throw new Error(`The page does not come to rest within ${longest / 1000} s: ${JSON.stringify(seen)}`);
-  }
-  const { width, height } = page.viewportSize() ?? { width: 700, height: 420 };
-  await page.setViewportSize({ width: width + 1, height });
-  await page.setViewportSize({ width, height });
-  await rest(walker, counts, true);
-  counts.woken++;
+  throw new Error(`The page does not come to rest within ${longest / 1000} s: ${seen}`);
 }
 
 /** Runs in the page: what may be the reason that it does not come to rest. */
-async function unrest() {
+async function unrest(): Promise<string> {
   const frame = new Promise((resolve) => requestAnimationFrame(() => resolve(true)));
   const late = new Promise((resolve) => setTimeout(() => resolve(false), 2000));
+  const canvas = document.querySelector<HTMLCanvasElement>("canvas.picture");
   const text = (of: string) => [...document.querySelectorAll(of)].map((one) => one.textContent?.trim());
-  return {
+  return JSON.stringify({
     frames: await Promise.race([frame, late]),
     visible: document.visibilityState,
+    lost: canvas?.getContext("webgl2")?.isContextLost(),
     play: document.querySelector(".play")?.ariaLabel,
     progress: text(".progress"),
     notices: text(".notice"),
-  };
+  });
 }
 
 /**
@@ -333,7 +317,7 @@ function meaning(address: string): string {
 }
 
 /** Undo leads back to the address before, redo to the one after. Returns 1 where there was something to undo. */
-async function undoAndRedo(walker: Walker, before: string, counts: Counts): Promise<number> {
+async function undoAndRedo(walker: Walker, before: string, counts: { cancelled: number }): Promise<number> {
   const { page } = walker;
   const after = page.url();
   // By their places: their names depend on the language.
