@@ -1,5 +1,6 @@
 /** What a plate writes over its drawing: the ground line, the angle of elevation, and the scale bar. */
 import type { Vector } from "../geometry/bounds.ts";
+import { clip } from "../geometry/clip.ts";
 import type { Frame } from "../geometry/frame.ts";
 import { rulerWithin } from "../geometry/ruler.ts";
 import { local } from "../language/number.ts";
@@ -83,7 +84,9 @@ export class Annotation {
     }
     this.#size = size;
     this.#drawGround(subject);
-    put(this.#future, { d: subject.future.map(pathOf).join("") });
+    const { width, height } = subject;
+    const future = subject.future.flatMap((line) => clip(line, width, height));
+    put(this.#future, { d: future.map(pathOf).join("") });
     this.#drawElevation(subject);
     this.#drawScale(subject);
     this.#drawBreak(subject);

@@ -2,6 +2,7 @@
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import { quantityText } from "../form/quantity.ts";
 import { labelOf, nameOf } from "../form/words.ts";
+import { clip } from "../geometry/clip.ts";
 import { measure } from "../geometry/measure.ts";
 import { digits, quantity, scaleFor } from "../geometry/quantity.ts";
 import type { Value, Vector } from "../params/declaration.ts";
@@ -119,7 +120,7 @@ export class Comparison implements Section {
       <svg class="chart" aria-hidden="true" viewBox="0 0 ${sheet.width} ${heightOf(2)}">${drawChart(chartOf(a.plant, plant, then, now))}</svg>`;
   }
 
-  draw(project: Project): SVGTemplateResult | null {
+  draw(project: Project, width: number, height: number): SVGTemplateResult | null {
     if (!this.#a) return null;
     const { points, offsets } = this.#a.plant.polylines;
     const lines = Array.from({ length: Math.min(offsets.length - 1, mostAxes) }, (_, axis) => {
@@ -128,10 +129,8 @@ export class Comparison implements Section {
       const kept = Array.from({ length: end - first }, (_, k) => k).filter(
         (k) => k % stride === 0 || k === end - first - 1,
       );
-      return lineThrough(
-        kept.map((k) => project(pointAt(points, first + k))),
-        "ghost",
-      );
+      const line = kept.map((k) => project(pointAt(points, first + k)));
+      return clip(line, width, height).map((part) => lineThrough(part, "ghost"));
     });
     const tip = project(pointAt(points, Math.max(0, (offsets[1] ?? 1) - 1)));
     return svg`<g>${lines}<text class="ghost-name" x=${(tip.x + 8).toFixed(1)} y=${Math.max(16, tip.y - 6).toFixed(1)}>${words.compare.a}</text></g>`;

@@ -41,5 +41,5 @@ export interface Section {
   see(sight: Sight): void;
   render(): TemplateResult;
   /** What it draws over the picture; asked for whether it is open or not. */
-  draw(project: Project): SVGTemplateResult | null;
+  draw(project: Project, width: number, height: number): SVGTemplateResult | null;
 }

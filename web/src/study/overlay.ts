@@ -29,8 +29,9 @@ export class Overlay {
   #draw(): void {
     this.#isDue = false;
     const project: Project = (point) => this.#stage.project(point);
+    const { clientWidth, clientHeight } = this.#stage.canvas;
     render(
-      svg`${this.#sections.map((section) => section.draw(project))}`,
+      svg`${this.#sections.map((section) => section.draw(project, clientWidth, clientHeight))}`,
       this.element as unknown as HTMLElement,
     );
   }
