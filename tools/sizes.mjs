@@ -34,7 +34,7 @@ export function checkSizes() {
     { what: "module widget with three and wasm", size: wasm + compressed(widget), wished: 215, most: 255 },
     { what: "one-file bough-widget.js", size: compressed(["bough-widget.js"]), wished: 235, most: 259 },
     // Wished before there were an element and bough/three in it (now a fifth), and for a wasm of 40 kB, which ships twice.
-    { what: "npm tarball", size: tarballSize(), wished: 150, most: 277 },
+    { what: "npm tarball", size: tarballSize(), wished: 150, most: 278 },
   ];
   console.log(tableRow("kB, compressed", "size", "wished", "at most"));
   for (const { what, size, wished, most } of rows) {

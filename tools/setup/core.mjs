@@ -101,6 +101,7 @@ async function optimise(input, output) {
 
 /** For places that cannot load a second file: the same wasm as text, compressed to less than half. @param {Buffer} bytes */
 function base64Module(bytes) {
-  const text = gzipSync(bytes, { level: 9 }).toString("base64");
+  // Blocks of that size pack the wasm best.
+  const text = gzipSync(bytes, { level: 9, memLevel: 7 }).toString("base64");
   return `// bough.wasm, gzip and base64.\nexport const wasmText: string =\n  "${text}";\n`;
 }
