@@ -6,7 +6,8 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { grow, init, type ParamsInput } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
 import { pointOf, tipOf } from "./points.ts";
-import { placeOf, query, settled, slider, type, visit } from "./visit.ts";
+import { meters, open } from "./study.ts";
+import { placeOf, settled, slider, visit } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -14,18 +15,6 @@ beforeAll(async () => {
   browser = await launchChromium();
 });
 afterAll(() => browser.close());
-
-/** Opens a part of the study, which comes after the plant. */
-async function open(page: Page, name: "why" | "compare" | "measure"): Promise<void> {
-  await page.locator(`details.${name} > summary`).click();
-  await settled(page);
-}
-
-/** A length as the page writes it, in m. */
-function meters(text: string): number {
-  const [, number = "", unit = ""] = /([−+]?[\d.]+) (µm|mm|cm|m)\b/.exec(text) ?? [];
-  return Number(number.replace("−", "-")) * ({ µm: 1e-6, mm: 1e-3, cm: 1e-2, m: 1 }[unit] ?? Number.NaN);
-}
 
 /** Gets the text of a file that a click saves. */
 async function saved(page: Page, button: string): Promise<{ name: string; text: string }> {
@@ -233,69 +222,6 @@ it("see why: the paper's relaxation and Newton's iterations are played, and end 
   expect(await page.locator(".overlay .euler").count()).toBe(0);
   expect(problems).toEqual([]);
   await page.context().close();
-});
-
-describe("compare", () => {
-  const row = (page: Page, name: string) =>
-    page.locator("table.differences tr", { hasText: name }).locator("td").allInnerTexts();
-
-  it("pins A, shows it, tells the differences, swaps, and keeps it in the link", async () => {
-    const { page, problems } = await visit(browser);
-    await open(page, "compare");
-    await page.getByRole("button", { name: "Pin this plant as A" }).click();
-    await page.getByText("Nothing: both are the same plant.").waitFor();
-    expect(query(page).get("pin")).toBe("v=1");
-    await type(page, /^Young/, "0.4 GPa");
-    const [a, now] = [tipOf({}), tipOf({ material: { youngsModulus: 4e8 } })];
-    const [then = "", present = "", off = ""] = await row(page, "Tip up");
-    expect(meters(then)).toBeCloseTo(a[1], 2);
-    expect(meters(present)).toBeCloseTo(now[1], 2);
-    expect(meters(off)).toBeCloseTo(now[1] - a[1], 2);
-    await page.getByText("Young's modulus: 1 GPa, now 400 MPa").waitFor();
-    // The dashed line is where A was, as far as it is on the picture.
-    const ghost = await page.locator(".overlay .ghost").getAttribute("d");
-    const middle = await placeOf(page, pointOf(grow({}), 20));
-    const stage = await page.locator(".overlay").boundingBox();
-    const away = [...(ghost ?? "").matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) =>
-      Math.hypot((stage?.x ?? 0) + Number(x) - middle.x, (stage?.y ?? 0) + Number(y) - middle.y),
-    );
-    expect(Math.min(...away)).toBeLessThan(1);
-    const link = page.url();
-    await page.getByRole("button", { name: "Swap A and the present one" }).click();
-    await settled(page);
-    await page.getByText("Young's modulus: 400 MPa, now 1 GPa").waitFor();
-    expect(query(page).get("pin")).toBe("v=1&ym=400000000");
-    // Undo takes the swap of the present plant back; A stays what it is.
-    await page.getByRole("button", { name: "Undo" }).click();
-    await settled(page);
-    await page.getByText("Nothing: both are the same plant.").waitFor();
-    expect(problems).toEqual([]);
-    await page.context().close();
-    // The link brings both back.
-    const again = await visit(browser, new URL(link).search);
-    await open(again.page, "compare");
-    await again.page.getByText("Young's modulus: 1 GPa, now 400 MPa").waitFor();
-    await again.page.getByRole("button", { name: "Take A away" }).click();
-    expect(query(again.page).has("pin")).toBe(false);
-    expect(await again.page.locator(".overlay .ghost").count()).toBe(0);
-    expect(again.problems).toEqual([]);
-    await again.page.context().close();
-  });
-
-  it("plots A along the axis beside the present plant", async () => {
-    const { page } = await visit(browser, "?ym=400000000&pin=v%3D1");
-    await open(page, "why");
-    await page.locator(".plots .curve.second").first().waitFor();
-    expect(await page.locator(".plots .curve").count()).toBe(8);
-    await page.context().close();
-  });
-
-  it("says so when what a link pins cannot be grown, and goes on", async () => {
-    const { page } = await visit(browser, "?pin=v%3D1%26n%3D100000%26th%3Dpipes");
-    await open(page, "compare");
-    await page.getByText("The pinned plant of the link cannot be grown").waitFor();
-    await page.context().close();
-  });
 });
 
 describe("the ruler and the protractor", () => {

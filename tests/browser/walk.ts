@@ -275,12 +275,10 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
 async function unrest(): Promise<string> {
   const frame = new Promise((resolve) => requestAnimationFrame(() => resolve(true)));
   const late = new Promise((resolve) => setTimeout(() => resolve(false), 2000));
-  const canvas = document.querySelector<HTMLCanvasElement>("canvas.picture");
   const text = (of: string) => [...document.querySelectorAll(of)].map((one) => one.textContent?.trim());
   return JSON.stringify({
     frames: await Promise.race([frame, late]),
     visible: document.visibilityState,
-    lost: canvas?.getContext("webgl2")?.isContextLost(),
     play: document.querySelector(".play")?.ariaLabel,
     progress: text(".progress"),
     notices: text(".notice"),
@@ -298,7 +296,9 @@ export async function comparePlant(page: Page, mayHaveNone = false): Promise<num
   const isElsewhere = await page.locator("[aria-pressed=true].hold, .holds, dialog[open]").count();
   if (steps > 500 || isElsewhere > 0) return 0;
   const shown = await page.locator(".readout dd").allInnerTexts();
-  if (shown.length === 0 && mayHaveNone) return 0;
+  // As long as that is so, the page says it.
+  const isSaid = mayHaveNone && (await page.locator(".notice").count()) > 0;
+  if (shown.length === 0 && isSaid) return 0;
   const { report, ...plant } = history(state.params).at(state.step ?? steps);
   const { length } = measure({ report, ...plant });
   const language = await page.evaluate(() => document.documentElement.lang);

@@ -70,8 +70,8 @@ const fingerBreadth = 22;
 
 /**
  * Draws on demand: there are no frames while nothing changes. The canvas dispatches `bough-due` when a picture is asked
- * for, and `bough-drawn` when it is there, or `bough-idle` when it cannot be drawn now. The last good picture stays when the press is taken away, and when the graphics
- * card drops it: then the canvas dispatches `bough-lost`, later `bough-restored`.
+ * for, and `bough-drawn` when it is there, or `bough-idle` when it cannot be drawn now. The last good picture stays when the
+ * press is taken away, and when the graphics card drops it: then the canvas dispatches `bough-lost`, later `bough-restored`.
  */
 export class Stage {
   /** Takes the gestures and the keyboard focus. */

@@ -40,6 +40,6 @@ export interface Section {
   /** There is something new to look at. */
   see(sight: Sight): void;
   render(): TemplateResult;
-  /** What it draws over the picture; asked for whether it is open or not. */
+  /** What it draws over the picture, which is so large in CSS px; asked for whether it is open or not. */
   draw(project: Project, width: number, height: number): SVGTemplateResult | null;
 }

@@ -35,9 +35,8 @@ pub struct Held {
 }
 
 /// Finds the force on the distal end of `rod` that holds it at `place` beside the `loads`, and brings the linkage to
-/// equilibrium with both. A place out of reach is drawn in to 0.998 of the reach, of
-/// a rod that stands on the ground to where it can be. `force` is where the search starts:
-/// the one that held the point a moment ago, or none.
+/// equilibrium with both. A place out of reach is drawn in to 0.998 of the reach, that of a rod on the ground to where its
+/// end can be. `force` is where the search starts: the one that held the point a moment ago, or none.
 ///
 /// A stiff spring draws the point to its place; its end is then moved on by what is left (method of multipliers)
 /// until the point is where it is wanted. With the Hessian H and the derivative B of the point by the rods' angles, the
@@ -118,15 +117,12 @@ impl Search {
         }
         path.reverse();
         let reach: f64 = path.iter().map(|&rod| linkage.length[rod]).sum();
+        // No bend shortens a rod alone: its end is on a circle.
+        let is_alone = path.len() == 1;
+        let most = if is_alone { reach } else { USED_REACH * reach };
         let away = libm::hypot(place[0], place[1]);
-        let wanted = if path.len() == 1 {
-            // No bend shortens a rod alone: its end is on a circle.
-            place.map(|part| part * (reach / away))
-        } else if away > USED_REACH * reach {
-            place.map(|part| part * (USED_REACH * reach / away))
-        } else {
-            place
-        };
+        let shrink = if is_alone || away > most { most / away } else { 1.0 };
+        let wanted = place.map(|part| part * shrink);
         let mut search = Search {
             path,
             reach,

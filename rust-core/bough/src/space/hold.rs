@@ -28,8 +28,8 @@ pub struct Held {
 }
 
 /// Finds the force on the distal end of `rod` that holds it at `place` (from the foot of its path) beside the loads `force`, and
-/// brings the rods to equilibrium with both. A place out of reach is drawn in to 0.998 of the reach, of a rod that
-/// stands on the ground to where it can be. `start` is the force that the search starts from.
+/// brings the rods to equilibrium with both. A place out of reach is drawn in to 0.998 of the reach, that of a rod on
+/// the ground to where its end can be. `start` is the force that the search starts from.
 ///
 /// Newton's method for the shape and the force together: with the Hessian H and the derivative B of the point by the rods'
 /// turns, the force changes by `(B H^-1 B^T)^-1` times what the point is still off. The held shape is stable when H has no
@@ -46,16 +46,11 @@ pub fn hold(
     let saved = shape.deviation.clone();
     let path = path_to(rods, rod);
     let reach: f64 = path.iter().map(|&rod| rods.length[rod]).sum();
-    let most = USED_REACH * reach;
     // No bend shortens a rod alone: its end is on a sphere.
     let is_alone = path.len() == 1;
-    let wanted = if is_alone {
-        place * (reach / place.length())
-    } else if place.length() > most {
-        place * (most / place.length())
-    } else {
-        place
-    };
+    let most = if is_alone { reach } else { USED_REACH * reach };
+    let away = place.length();
+    let wanted = place * if is_alone || away > most { most / away } else { 1.0 };
     let mut balance = Balance::default();
     balance.keeps_pivots = true;
     let mut held = Held { force: start, ..Held::default() };
