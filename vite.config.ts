@@ -1,5 +1,6 @@
 import { defineConfig } from "vite";
 import { course } from "./tools/course/plugin.mjs";
+import { developmentStyles } from "./tools/development-styles.mjs";
 import { leanThree } from "./tools/lean-three.mjs";
 import { offline } from "./tools/offline.mjs";
 
@@ -8,7 +9,7 @@ export default defineConfig({
   publicDir: "../public",
   // Relative addresses: the site works in any folder of any host.
   base: "./",
-  plugins: [leanThree(), course(), offline()],
+  plugins: [leanThree(), course(), offline(), developmentStyles()],
   worker: { format: "es" },
   // tools/sizes.mjs holds the budgets, compressed; Vite's own limit is on the uncompressed chunk.
   build: {
