@@ -76,6 +76,29 @@ describe("compare", () => {
     await page.context().close();
   });
 
+  it("takes a larger A into the picture, and lets it go with it", async () => {
+    const { page, problems } = await visit(browser, "?preset=figure-2a&pin=v%3D1");
+    const ghost = page.locator(".overlay .ghost");
+    await ghost.waitFor();
+    await settled(page);
+    const tip = () => placeOf(page, pointOf(grow({}), 40));
+    const picture = await page.locator("canvas.picture").boundingBox();
+    const right = (picture?.x ?? 0) + (picture?.width ?? 0);
+    const taken = await tip();
+    expect(taken.x).toBeLessThan(right - 20);
+    await open(page, "compare");
+    await page.getByRole("button", { name: "Take A away" }).click();
+    await settled(page);
+    expect((await tip()).x).toBeGreaterThan(right);
+    // To pin what is shown moves nothing.
+    const before = await tip();
+    await page.getByRole("button", { name: "Pin this plant as A" }).click();
+    await settled(page);
+    expect(await tip()).toEqual(before);
+    expect(problems).toEqual([]);
+    await page.context().close();
+  });
+
   it("draws a large A beside a small plant as far as it is seen: dashes beyond held the browser up for seconds", async () => {
     const pin = encodeURIComponent("v=1&preset=weeping-willow&view=space");
     const { page, problems } = await visit(browser, `?preset=figure-2a&view=space&pin=${pin}`, {

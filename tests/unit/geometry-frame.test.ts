@@ -53,6 +53,19 @@ describe("the frame", () => {
     expect(frameOf(hanging, square, 0.05).ground).toBeLessThan(-0.8);
   });
 
+  it("takes in what is beside, and leaves the ground where it is", () => {
+    const beside = { min: [-2, -1, 0], max: [0.1, 3, 0] } as const;
+    const { center, height, ground } = frameOf(upright, square, 0.05, false, beside);
+    expect(ground).toBe(0);
+    expect(center[0] - height / 2).toBeLessThan(-2 - 0.05 * height);
+    expect(center[0] + height / 2).toBeGreaterThan(0.5 + 0.05 * height);
+    expect(center[1] - height / 2).toBeLessThan(-1 - 0.1 * height);
+    expect(center[1] + height / 2).toBeGreaterThan(3 + 0.05 * height);
+    // What lies within it changes nothing.
+    const within = { min: [0, 0, 0], max: [0.4, 0.9, 0] } as const;
+    expect(frameOf(upright, square, 0.05, false, within)).toEqual(frameOf(upright, square, 0.05));
+  });
+
   it("exists even for a plant without size", () => {
     const frame = frameOf({ min: [0, 0, 0], max: [0, 0, 0] }, square, 0);
     expect(frame.height).toBeGreaterThan(0);

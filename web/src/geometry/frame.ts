@@ -25,17 +25,26 @@ const margins = {
 
 /**
  * The frame that shows a box whole. The base of the plant, at the origin, and the ground are always in the picture. `foot` is
- * the radius of the base: so far the plant may reach into the soil. If it `turns`, its depth needs room as well.
+ * the radius of the base: so far the plant may reach into the soil. If it `turns`, its depth needs room as well. What else is
+ * to be seen `beside` it leaves the ground where it is.
  */
-export function frameOf(bounds: Bounds, picture: Size, foot: number, turns = false): Frame {
-  const { min, max } = union(bounds, { min: [0, 0, 0], max: [0, 0, 0] });
-  const size = Math.max(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
-  const hangs = min[1] < -1.1 * foot;
-  const ground = hangs ? min[1] - 0.05 * size : 0;
+export function frameOf(
+  bounds: Bounds,
+  picture: Size,
+  foot: number,
+  turns = false,
+  beside: Bounds | null = null,
+): Frame {
+  const own = union(bounds, { min: [0, 0, 0], max: [0, 0, 0] });
+  const size = Math.max(...own.max.map((most, k) => most - (own.min[k] ?? 0)));
+  const hangs = own.min[1] < -1.1 * foot;
+  const ground = hangs ? own.min[1] - 0.05 * size : 0;
+  const { min, max } = beside ? union(own, beside) : own;
+  const lowest = beside ? Math.min(ground, beside.min[1]) : ground;
   const top = kept(margins.top, picture.height);
   const bottom = kept(margins.bottom, picture.height);
   const side = kept(margins.side, picture.width);
-  const tall = (max[1] - ground) / (1 - top - bottom);
+  const tall = (max[1] - lowest) / (1 - top - bottom);
   const across = turns ? Math.hypot(max[0] - min[0], max[2] - min[2]) : max[0] - min[0];
   const wide = (across / (1 - 2 * side)) * (picture.height / picture.width);
   const height = Math.max(tall, wide, Number.MIN_VALUE);
@@ -44,7 +53,7 @@ export function frameOf(bounds: Bounds, picture: Size, foot: number, turns = fal
     center: [
       (min[0] + max[0]) / 2,
       // Some of the spare air goes below the ground, so that a low plant does not lie at the bottom edge.
-      ground - bottom * height + height / 2 - 0.3 * spare,
+      lowest - bottom * height + height / 2 - 0.3 * spare,
       (min[2] + max[2]) / 2,
     ],
     height,

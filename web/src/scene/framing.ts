@@ -15,6 +15,9 @@ export interface Aim {
   readonly turns: boolean;
 }
 
+/** A plant beside that is so many times as large is not taken in. */
+const farLarger = 8;
+
 export class Framing {
   /** How many times too thick limbs are drawn. */
   girth = 1;
@@ -24,6 +27,7 @@ export class Framing {
   foot = 0;
   readonly #glide = new Glide();
   #bounds: Bounds | null = null;
+  #beside: Bounds | null = null;
   #turns = false;
   #picture: Size = { width: 1, height: 1 };
   #from: Frame | null = null;
@@ -44,6 +48,13 @@ export class Framing {
     const plants = union(boundsOf(grown.polylines, this.girth), boundsOf(plant.polylines, this.girth));
     const bounds = union(plants, marked(grown, extent(plants)));
     this.#bounds = holds && this.#bounds ? union(this.#bounds, bounds) : bounds;
+    this.#turn(now);
+  }
+
+  /** Takes another plant in beside it, or none any more. */
+  takeIn(plant: Plant | null, now: number): void {
+    // Its centre lines: to pin the plant that is shown moves nothing.
+    this.#beside = plant && boundsOf(plant.polylines, 0);
     this.#turn(now);
   }
 
@@ -68,7 +79,9 @@ export class Framing {
 
   #turn(now: number): void {
     if (!this.#bounds) return;
-    const to = frameOf(this.#bounds, this.#picture, this.foot, this.#turns);
+    const isFarLarger = this.#beside && extent(this.#beside) > farLarger * extent(this.#bounds);
+    const beside = isFarLarger ? null : this.#beside;
+    const to = frameOf(this.#bounds, this.#picture, this.foot, this.#turns, beside);
     if (this.#to && same(this.#to, to)) return;
     this.#from = this.at(now)?.frame ?? to;
     this.#to = to;

@@ -1,12 +1,11 @@
 /** The picture of a plant: everything that is drawn, in an element of the page. */
-import { Matrix4, Vector3 } from "three";
 import type { Vector } from "../geometry/bounds.ts";
 import type { Frame } from "../geometry/frame.ts";
 import { paintOf } from "../geometry/legend.ts";
 import { measure } from "../geometry/measure.ts";
 import { type Lumping, mostModelled } from "../geometry/model.ts";
 import { headingOf, type Pick, pick } from "../geometry/pick.ts";
-import type { Color, Paint } from "../geometry/shade.ts";
+import type { Color } from "../geometry/shade.ts";
 import type { Axes } from "../geometry/tube.ts";
 import { say } from "../language/say.ts";
 import { isBroken, type Plant } from "../plant/plant.ts";
@@ -18,7 +17,9 @@ import { Framing } from "./framing.ts";
 import { Morph } from "./morph.ts";
 import type { Tone } from "./palette.ts";
 import { Press, type Sheet } from "./press.ts";
-import { toClip, toPicture, unproject } from "./sight.ts";
+import { Projection } from "./projection.ts";
+import { lookOf, looksLike, type Shown } from "./shown.ts";
+import { unproject } from "./sight.ts";
 import { placedAt } from "./world.ts";
 
 /** How a plant is drawn: with leaves and fruit where it bears any, without, or as its model. */
@@ -50,16 +51,6 @@ export interface Drawn {
   readonly moving: boolean;
 }
 
-/** What is in the picture, and how. */
-interface Shown {
-  readonly plant: Plant;
-  readonly grown: Plant;
-  readonly paint: Paint | null;
-  readonly model: Lumping | null;
-  readonly bearing: Bearing | null;
-  readonly tone: Tone;
-}
-
 /** Draws leaves and fruit, once that is loaded: most plants bear none. */
 let orchard: typeof import("./burden.ts") | null = null;
 
@@ -84,8 +75,7 @@ export class Stage {
   readonly #camera: Camera;
   readonly #resizes: ResizeObserver;
   readonly #stillness = matchMedia("(prefers-reduced-motion: reduce)");
-  /** From m to scene units, in the last picture. */
-  readonly #meters = new Matrix4();
+  readonly #projection: Projection;
   #press: Press | null = null;
   #farewell = new AbortController();
   #force: Force | null = null;
@@ -93,8 +83,6 @@ export class Stage {
   /** How often something that belongs into the picture is being loaded. */
   #expects = 0;
   #isDue = false;
-  #width = 0;
-  #height = 0;
   #density = 1;
   #shown: Shown | null = null;
   #sheet: { sheet: Sheet; shown: Shown } | null = null;
@@ -112,6 +100,7 @@ export class Stage {
     this.#host = host;
     host.append(this.canvas, this.#annotation.element);
     this.#camera = new Camera(this.canvas, () => this.#invalidate());
+    this.#projection = new Projection(this.#camera.eye);
     // The browser may drop the canvas's own picture, too.
     this.canvas.addEventListener("contextrestored", () => this.#invalidate());
     this.#resizes = new ResizeObserver(() => this.#resize());
@@ -174,6 +163,13 @@ export class Stage {
       : null;
   }
 
+  /** Another plant, which is drawn over the picture: the frame takes it in, unless the shown one were lost beside it. */
+  set beside(plant: Plant | null) {
+    this.#framing.takeIn(plant, performance.now());
+    if (this.#stillness.matches) this.#framing.finish();
+    this.#invalidate();
+  }
+
   /** What a plant is seen to bear: nothing until it is known how to draw that, and then in another picture. */
   #bearingOf(plant: Plant, grown: Plant): Bearing | null {
     const { foliage, tipMass, removed } = plant.params.loads;
@@ -206,9 +202,8 @@ export class Stage {
   }
 
   /** Where a point of the world (m) is on the picture, in CSS px from its upper left corner. */
-  project([x, y, z]: Vector): Place {
-    const point = new Vector3(x, y, z).applyMatrix4(this.#meters).project(this.#camera.eye);
-    return { x: (0.5 + 0.5 * point.x) * this.#width, y: (0.5 - 0.5 * point.y) * this.#height };
+  project(point: Vector): Place {
+    return this.#projection.place(point);
   }
 
   /**
@@ -219,13 +214,11 @@ export class Stage {
     const axes = this.#sheet?.sheet.axes;
     if (!axes) return null;
     const { x, y } = this.#onPicture(clientX, clientY);
-    const clip = this.#clip();
-    const { elements } = clip;
-    const depth = elements[15] ?? 1;
+    const projection = this.#projection;
     const sight = {
-      toPicture: toPicture(clip, this.#width, this.#height).elements,
-      scale: this.#pixelsPerMeter(this.#framing.at(performance.now())?.frame.height ?? 1),
-      depth,
+      toPicture: projection.picture.elements,
+      scale: projection.pixelsPerMeter(this.#framing.at(performance.now())?.frame.height ?? 1),
+      depth: projection.clip.elements[15] ?? 1,
       girth: this.#framing.girth,
     };
     return pick(axes, sight, x, y, fingerBreadth);
@@ -239,8 +232,7 @@ export class Stage {
     const axes = this.#sheet?.sheet.axes;
     const own = axes && segment !== undefined ? headingOf(axes, segment) : null;
     const heading = this.#camera.view === "plane" ? ([1, 0, 0] as const) : own;
-    const picture = toPicture(this.#clip(), this.#width, this.#height);
-    return unproject(picture, this.#onPicture(clientX, clientY), through, heading);
+    return unproject(this.#projection.picture, this.#onPicture(clientX, clientY), through, heading);
   }
 
   /** What is written over the picture, in CSS px. */
@@ -256,8 +248,8 @@ export class Stage {
     const placed = this.#framing.at(performance.now());
     if (!placed || !this.#sheet) return null;
     const canvas = document.createElement("canvas");
-    canvas.width = Math.round(this.#width * scale);
-    canvas.height = Math.round(this.#height * scale);
+    canvas.width = Math.round(this.#projection.width * scale);
+    canvas.height = Math.round(this.#projection.height * scale);
     const pen = canvas.getContext("2d");
     if (!pen) throw new RangeError("This browser has no canvas of that size.");
     const press = new Press();
@@ -311,7 +303,8 @@ export class Stage {
     this.#request = 0;
     const placed = this.#framing.at(now);
     const shape = this.#morph.at(now);
-    if (!placed || !shape || !this.#shown || this.#width === 0 || !this.#press || this.#press.isLost) {
+    const isSeen = this.#projection.width > 0 && this.#press && !this.#press.isLost;
+    if (!placed || !shape || !this.#shown || !this.#press || !isSeen) {
       this.#tell("bough-idle");
       return;
     }
@@ -321,19 +314,20 @@ export class Stage {
     const { frame } = placed;
     const { foot } = this.#framing;
     const { eye } = this.#camera;
-    placedAt(frame, this.#meters);
+    placedAt(frame, this.#projection.meters);
     const sheet = this.#sheetOf(shape.axes, this.#shown);
     // Only now, as it wipes the canvas.
     this.#sharpen();
     this.#press.print({ sheet, tone: this.#shown.tone, frame, foot, eye }, this.#pen);
     this.#annotate(frame, shape.axes, this.#shown);
-    const detail: Drawn = { projection: this.#clip().toArray(), moving: this.moving };
+    const detail: Drawn = { projection: this.#projection.clip.toArray(), moving: this.moving };
     this.#tell("bough-drawn", detail);
   }
 
   /** Gives the canvas as many pixels as the screen has there. */
   #sharpen(): void {
-    const [width, height] = [this.#width, this.#height].map((size) => Math.round(size * this.#density));
+    const of = this.#projection;
+    const [width, height] = [of.width, of.height].map((size) => Math.round(size * this.#density));
     if (width && this.canvas.width !== width) this.canvas.width = width;
     if (height && this.canvas.height !== height) this.canvas.height = height;
   }
@@ -344,64 +338,31 @@ export class Stage {
     const old = this.#sheet;
     const isSame = old?.sheet.axes === axes && old.sheet.look.girth === girth && looksLike(old.shown, shown);
     if (old && isSame) return old.sheet;
-    const { grown, paint, model, bearing } = shown;
-    // Bark comes with age: what stays a stalk never gets any.
-    const grownSteps = grown.report.steps * (isStalk(grown) ? 4 : 1);
-    const sheet = { axes, look: { grownSteps, girth, paint, model, extent, bearing } };
+    const sheet = { axes, look: lookOf(shown, girth, extent) };
     this.#sheet = { sheet, shown };
     return sheet;
   }
 
   #annotate(frame: Frame, axes: Axes, { plant, grown, model }: Shown): void {
     const { base, heading } = measure(plant);
+    const projection = this.#projection;
     this.#annotation.draw({
       frame,
       view: this.#camera.view,
       base,
       heading,
-      present: this.#lines(axes),
-      future: plant.report.steps < grown.report.steps ? this.#lines(grown) : [],
+      present: projection.lines(axes),
+      future: plant.report.steps < grown.report.steps ? projection.lines(grown) : [],
       elevation: plant.params.axis.elevation,
       girth: model ? 1 : this.#framing.girth,
       foot: this.#framing.foot,
-      scale: this.#pixelsPerMeter(frame.height),
+      scale: projection.pixelsPerMeter(frame.height),
       force: this.#force,
       broken: breakOf(plant, axes),
-      width: this.#width,
-      height: this.#height,
-      project: (point) => this.project(point),
+      width: projection.width,
+      height: projection.height,
+      project: (point) => projection.place(point),
     });
-  }
-
-  /** The centre lines of the axes on the picture; of the first hundred, which is as many as can be told apart. */
-  #lines(axes: Axes): Place[][] {
-    const count = Math.min(axes.polylines.offsets.length - 1, 100);
-    return Array.from({ length: count }, (_, axis) => this.#line(axes, axis));
-  }
-
-  #line({ polylines: { points, offsets } }: Axes, axis: number): Place[] {
-    const first = offsets[axis] ?? 0;
-    const last = (offsets[axis + 1] ?? 0) - 1;
-    // Some fifty points are dense enough on a screen; the last one always counts.
-    const stride = Math.max(1, Math.ceil((last - first) / 50));
-    const count = Math.ceil((last - first) / stride) + 1;
-    return Array.from({ length: count }, (_, i) => {
-      const at = 3 * Math.min(first + i * stride, last);
-      return this.project([points[at] ?? 0, points[at + 1] ?? 0, points[at + 2] ?? 0]);
-    });
-  }
-
-  #pixelsPerMeter(height: number): number {
-    const { elements } = this.#camera.eye.matrixWorld;
-    const step = 0.01 * height;
-    const [right, up, back] = [0, 1, 2].map((k) => (elements[k] ?? 0) * step) as [number, number, number];
-    const [a, b] = [this.project([0, 0, 0]), this.project([right, up, back])];
-    return Math.hypot(b.x - a.x, b.y - a.y) / step;
-  }
-
-  /** From m to clip coordinates. */
-  #clip(): Matrix4 {
-    return toClip(this.#camera.eye, this.#meters);
   }
 
   /** From client coordinates to those of the picture. */
@@ -423,33 +384,14 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.#host;
     const density = Math.min(devicePixelRatio, finest);
     if (width === 0 || height === 0) return;
-    if (width === this.#width && height === this.#height && density === this.#density) return;
-    this.#width = width;
-    this.#height = height;
+    const old = this.#projection;
+    if (width === old.width && height === old.height && density === this.#density) return;
+    this.#projection.resize(width, height);
     this.#density = density;
     this.#camera.resize(width, height);
     this.#framing.resize({ width, height });
     this.#invalidate();
   }
-}
-
-/** Whether the same shape gives the same mesh. */
-function looksLike(a: Shown, b: Shown): boolean {
-  const isPainted = a.paint !== null || b.paint !== null || a.model !== null;
-  return (
-    a.grown === b.grown &&
-    a.model === b.model &&
-    a.bearing === b.bearing &&
-    a.paint?.color === b.paint?.color &&
-    a.paint?.range.max === b.paint?.range.max &&
-    // The colours of the model are in its mesh.
-    (!isPainted || a.tone === b.tone)
-  );
-}
-
-/** Whether it is a thin stalk with leaves or a flower, and not wood: it does not thicken. */
-function isStalk({ params: { axis, growth, loads } }: Plant): boolean {
-  return growth.thickening === "none" && axis.radius < 0.003 && (loads.foliage > 0 || loads.tipMass > 0);
 }
 
 /** Where a plant breaks first, as it is drawn, m; null where it holds. */

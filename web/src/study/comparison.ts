@@ -64,7 +64,8 @@ export class Comparison implements Section {
       const { state } = read(link);
       const engine = await this.#desk.startEngine();
       try {
-        this.#a ??= { state, plant: await engine.plant(state.params, state.step) };
+        const a = { state, plant: await engine.plant(state.params, state.step) };
+        if (!this.#a) this.#show(a);
       } finally {
         engine.dispose();
       }
@@ -83,10 +84,15 @@ export class Comparison implements Section {
   }
 
   #put(a: Pinned | null): void {
-    this.#a = a;
+    this.#show(a);
     this.#said = null;
     this.#desk.address.pin = a ? write({ ...this.#desk.store.state, ...a.state }).slice(1) : "";
     this.#onChange();
+  }
+
+  #show(a: Pinned | null): void {
+    this.#a = a;
+    if (this.#desk.stage) this.#desk.stage.beside = this.pinned;
   }
 
   #swap(): void {
