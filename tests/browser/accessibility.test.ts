@@ -3,7 +3,7 @@ import type { Browser, Page } from "playwright";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { violations } from "./axe.ts";
 import { launchChromium } from "./chromium.ts";
-import { settled, visit } from "./visit.ts";
+import { settled, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -20,7 +20,7 @@ describe("to axe", () => {
     "in %s, at %d x %d, there is nothing, with everything open and something wrong",
     async (colorScheme, width, height) => {
       const viewport = { width, height };
-      const { page } = await visit(browser, "?preset=figure-8b&zz=1", {
+      const { page } = await visitUnpainted(browser, "?preset=figure-8b&zz=1", {
         viewport,
         colorScheme,
         bypassCSP: true,
@@ -49,7 +49,9 @@ describe("to axe", () => {
   );
 
   it("nothing sticks out sideways on a narrow phone", async () => {
-    const { page } = await visit(browser, "?preset=figure-8b", { viewport: { width: 320, height: 640 } });
+    const { page } = await visitUnpainted(browser, "?preset=figure-8b", {
+      viewport: { width: 320, height: 640 },
+    });
     const overflow = await page.evaluate(() => {
       const panel = document.querySelector("#controls");
       return [document.documentElement, panel].map((element) =>
@@ -103,7 +105,7 @@ describe("by keyboard alone", () => {
   }
 
   it("all plates are one stop, in the strip and in the gallery; arrows, Home and End go between them", async () => {
-    const { page } = await visit(browser, "?preset=figure-8d");
+    const { page } = await visitUnpainted(browser, "?preset=figure-8d");
     const stops = (selector: string) =>
       page.evaluate(
         (selector) =>
@@ -149,7 +151,7 @@ describe("by keyboard alone", () => {
   });
 
   it("a person goes through the whole page", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     const parameter = (key: string) => new URL(page.url()).searchParams.get(key);
     // Past everything to the controls: a slider, and its box.
     await tabTo(page, "Skip to the controls");
@@ -244,7 +246,7 @@ describe("by keyboard alone", () => {
   });
 
   it("every control that has the focus shows it", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     const unmarked = new Set<string>();
     for (let press = 0; press < 40; press++) {
       await page.keyboard.press("Tab");

@@ -5,7 +5,7 @@ import { grow, init } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
 import { pointOf, tipOf } from "./points.ts";
 import { meters, open } from "./study.ts";
-import { placeOf, query, settled, type, visit } from "./visit.ts";
+import { placeOf, query, settled, type, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -19,7 +19,7 @@ describe("compare", () => {
     page.locator("table.differences tr", { hasText: name }).locator("td").allInnerTexts();
 
   it("pins A, shows it, tells the differences, swaps, and keeps it in the link", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     await open(page, "compare");
     await page.getByRole("button", { name: "Pin this plant as A" }).click();
     await page.getByText("Nothing: both are the same plant.").waitFor();
@@ -51,7 +51,7 @@ describe("compare", () => {
     expect(problems).toEqual([]);
     await page.context().close();
     // The link brings both back.
-    const again = await visit(browser, new URL(link).search);
+    const again = await visitUnpainted(browser, new URL(link).search);
     await open(again.page, "compare");
     await again.page.getByText("Young's modulus: 1 GPa, now 400 MPa").waitFor();
     await again.page.getByRole("button", { name: "Take A away" }).click();
@@ -62,7 +62,7 @@ describe("compare", () => {
   });
 
   it("plots A along the axis beside the present plant", async () => {
-    const { page } = await visit(browser, "?ym=400000000&pin=v%3D1");
+    const { page } = await visitUnpainted(browser, "?ym=400000000&pin=v%3D1");
     await open(page, "why");
     await page.locator(".plots .curve.second").first().waitFor();
     expect(await page.locator(".plots .curve").count()).toBe(8);
@@ -70,14 +70,14 @@ describe("compare", () => {
   });
 
   it("says so when what a link pins cannot be grown, and goes on", async () => {
-    const { page } = await visit(browser, "?pin=v%3D1%26n%3D100000%26th%3Dpipes");
+    const { page } = await visitUnpainted(browser, "?pin=v%3D1%26n%3D100000%26th%3Dpipes");
     await open(page, "compare");
     await page.getByText("The pinned plant of the link cannot be grown").waitFor();
     await page.context().close();
   });
 
   it("takes a larger A into the picture, and lets it go with it", async () => {
-    const { page, problems } = await visit(browser, "?preset=figure-2a&pin=v%3D1");
+    const { page, problems } = await visitUnpainted(browser, "?preset=figure-2a&pin=v%3D1");
     const ghost = page.locator(".overlay .ghost");
     await ghost.waitFor();
     await settled(page);
@@ -101,7 +101,7 @@ describe("compare", () => {
 
   it("draws a large A beside a small plant as far as it is seen: dashes beyond held the browser up for seconds", async () => {
     const pin = encodeURIComponent("v=1&preset=weeping-willow&view=space");
-    const { page, problems } = await visit(browser, `?preset=figure-2a&view=space&pin=${pin}`, {
+    const { page, problems } = await visitUnpainted(browser, `?preset=figure-2a&view=space&pin=${pin}`, {
       viewport: { width: 700, height: 420 },
     });
     const ghosts = page.locator(".overlay .ghost");

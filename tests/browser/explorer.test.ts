@@ -3,7 +3,7 @@ import type { Browser } from "playwright";
 import { afterAll, beforeAll, describe, expect, inject, it } from "vitest";
 import { launchChromium } from "./chromium.ts";
 import { Pixels } from "./pixels.ts";
-import { box, placeOf, query, readTip, settled, slider, type, visit } from "./visit.ts";
+import { box, placeOf, query, readTip, settled, slider, type, visit, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -13,7 +13,7 @@ afterAll(() => browser.close());
 
 describe("the page", () => {
   it("loads without errors, warnings, failed requests, or requests to other hosts", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     await page.waitForLoadState("networkidle");
     expect(problems).toEqual([]);
     expect(await page.title()).toContain("Bough");
@@ -23,7 +23,7 @@ describe("the page", () => {
   });
 
   it("keeps to its content security policy: no inline script runs", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     const ran = await page.evaluate(() => {
       const script = document.createElement("script");
       // As a node: as `textContent`, Trusted Types refuse it before there is anything to run.
@@ -38,7 +38,7 @@ describe("the page", () => {
   });
 
   it("describes the plant in words, once it has settled", async () => {
-    const { page } = await visit(browser, "?preset=figure-8d");
+    const { page } = await visitUnpainted(browser, "?preset=figure-8d");
     const words = page.getByRole("status").filter({ hasText: "An axis of 40 segments" });
     await words.waitFor();
     expect(await words.innerText()).toMatch(/1\.5 m long.*tip is 1\.1 m to the right.*below it/);
@@ -91,7 +91,7 @@ describe("a slider", () => {
   });
 
   it("dragged away and back ends as if nothing had been", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     const track = await slider(page, "Gravity, slider").boundingBox();
     if (!track) throw new Error("The slider is not to be seen.");
     const middle = track.y + track.height / 2;
@@ -108,7 +108,7 @@ describe("a slider", () => {
   });
 
   it("dragged by the mouse changes the plant on the way, and is one step of history", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     const track = await slider(page, "Young's modulus, slider").boundingBox();
     if (!track) throw new Error("The slider is not to be seen.");
     const entries = await page.evaluate(() => history.length);
@@ -155,7 +155,10 @@ describe("a link", () => {
   });
 
   it("that is damaged opens a working page, which says what it changed", async () => {
-    const { page, problems } = await visit(browser, "?v=9&preset=figure-99&n=-7&g=abc&colour=red&step=0.5");
+    const { page, problems } = await visitUnpainted(
+      browser,
+      "?v=9&preset=figure-99&n=-7&g=abc&colour=red&step=0.5",
+    );
     const notices = await page.locator(".notice").allInnerTexts();
     for (const word of ["version", "figure-99", "-7", "abc", "colour", "step"]) {
       expect(notices.join("\n")).toContain(word);
@@ -169,14 +172,14 @@ describe("a link", () => {
   });
 
   it("to a combination that the model does not have opens the nearest plant that it has, and says so", async () => {
-    const { page } = await visit(browser, "?n=90000&th=pipes");
+    const { page } = await visitUnpainted(browser, "?n=90000&th=pipes");
     expect((await page.locator(".notice").allInnerTexts()).join()).toContain("default is taken");
     expect(await readTip(page)).toContain("across");
     await page.context().close();
   });
 
   it("is put on the clipboard", async () => {
-    const { page } = await visit(browser, "?g=4");
+    const { page } = await visitUnpainted(browser, "?g=4");
     await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     await page.getByRole("button", { name: "Copy link" }).click();
     await page.getByText("The link is copied").waitFor();
@@ -203,7 +206,7 @@ describe("the age", () => {
   });
 
   it("replays on demand, and can be paused by the space bar", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await page.getByRole("button", { name: "Watch it grow" }).click();
     await page.waitForFunction(() => {
       const age = Number(document.querySelector<HTMLInputElement>("#age")?.value);
@@ -222,7 +225,7 @@ describe("the age", () => {
 
 describe("undo", () => {
   it("goes back by the browser's Back, by the button and by keys, and forward again", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     const gravity = box(page, /^Gravity/);
     const undo = page.getByRole("button", { name: "Undo" });
     expect(await undo.isDisabled()).toBe(true);
@@ -249,7 +252,7 @@ describe("undo", () => {
 
   // A fault that a random walk found: the link of such a plant says another age than its state, and Redo was lost over it.
   it("is not lost where a preset's age is beyond the last of a shorter axis", async () => {
-    const { page } = await visit(browser, "?preset=figure-8c");
+    const { page } = await visitUnpainted(browser, "?preset=figure-8c");
     await type(page, "Segments", "3");
     await page.getByRole("button", { name: /^Figure 13 d/ }).click();
     await page.waitForFunction(() => location.search.includes("figure-13d"));
@@ -264,7 +267,7 @@ describe("undo", () => {
   });
 
   it("still works by Back after a reload", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await type(page, /^Gravity/, "5");
     await page.reload();
     await settled(page);
@@ -309,7 +312,7 @@ describe("bad input", () => {
   });
 
   it("in a combination is answered as well", async () => {
-    const { page } = await visit(browser, "?th=pipes");
+    const { page } = await visitUnpainted(browser, "?th=pipes");
     await type(page, /^Segments/, "90000");
     const field = page.locator("bough-field").filter({ has: box(page, /^Segments/) });
     expect(await field.getByRole("alert").innerText()).toContain("at most");
@@ -320,7 +323,7 @@ describe("bad input", () => {
 
 describe("a long computation", () => {
   it("shows how far it is, can be cancelled, and gives way to the next wish", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     const tip = await readTip(page);
     await box(page, /^Segments/).fill("60000");
     await box(page, /^Segments/).press("Enter");
@@ -339,7 +342,7 @@ describe("a long computation", () => {
   });
 
   it("of the first plant can be cancelled as well: the page is at rest without one, and goes on from the form", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await page.goto(new URL("?n=60000", inject("site")).href);
     await page.getByRole("progressbar", { name: "Growing" }).waitFor();
     await page.getByRole("button", { name: "Cancel" }).click();
@@ -355,7 +358,7 @@ describe("a long computation", () => {
 
 describe("the gallery", () => {
   it("shows a plate, its note, and marks it; changes are said", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await page.getByRole("button", { name: /^Figure 8 d/ }).click();
     await settled(page);
     expect(query(page).get("preset")).toBe("figure-8d");

@@ -5,7 +5,7 @@ import { violations } from "./axe.ts";
 import { launchChromium } from "./chromium.ts";
 import { cutTexts } from "./cut.ts";
 import { dialogs, openAll, openAndSpoil, openDialog } from "./sights.ts";
-import { query, settled, visit } from "./visit.ts";
+import { query, settled, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -15,7 +15,7 @@ afterAll(() => browser.close());
 
 describe("a language", () => {
   it("is chosen from the menu, said by the link, and undone like anything else", async () => {
-    const { page, problems } = await visit(browser, "?preset=figure-13c");
+    const { page, problems } = await visitUnpainted(browser, "?preset=figure-13c");
     const loaded: string[] = [];
     page.on("request", (request) => loaded.push(request.url()));
     expect(await page.evaluate(() => document.documentElement.lang)).toBe("en");
@@ -56,12 +56,12 @@ describe("a language", () => {
   });
 
   it("is the reader's own where the link says none; what is no language is said", async () => {
-    const { page, problems } = await visit(browser, "", { locale: "fr-CA" });
+    const { page, problems } = await visitUnpainted(browser, "", { locale: "fr-CA" });
     expect(await page.evaluate(() => document.documentElement.lang)).toBe("fr");
     await page.getByRole("button", { name: "La voir pousser" }).waitFor();
     expect(problems).toEqual([]);
     await page.context().close();
-    const strange = await visit(browser, "?lang=tlh");
+    const strange = await visitUnpainted(browser, "?lang=tlh");
     await strange.page.getByText('lang is "tlh" in the link; it must be one of auto, en, de').waitFor();
     await strange.page.context().close();
   });
@@ -70,7 +70,7 @@ describe("a language", () => {
     const context = await browser.newContext({ reducedMotion: "reduce" });
     const page = await context.newPage();
     await page.route("**/german-*.js", (route) => route.abort());
-    const { page: other } = await visit(browser);
+    const { page: other } = await visitUnpainted(browser);
     await page.goto(`${other.url().split("?")[0]}?lang=de`);
     await page.getByText("A part of the page could not be loaded").waitFor();
     await settled(page);
@@ -87,7 +87,7 @@ describe.each([
 ] as const)("in %s", (lang, colorScheme, width, height, link, dialog) => {
   it("axe finds nothing, with everything open and something wrong, and in a dialog", async () => {
     const options = { viewport: { width, height }, colorScheme, bypassCSP: true };
-    const { page } = await visit(browser, `${link}&lang=${lang}`, options);
+    const { page } = await visitUnpainted(browser, `${link}&lang=${lang}`, options);
     await openAndSpoil(page);
     expect(await violations(page)).toEqual([]);
     await openDialog(page, lang, dialog);
@@ -101,7 +101,7 @@ it.each([
   ["320 px wide in French", "fr", { viewport: { width: 320, height: 640 } }],
   ["at 200 % zoom in Spanish", "es", { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }],
 ] as const)("no text is cut off %s", async (_, lang, options) => {
-  const { page } = await visit(browser, `?preset=figure-17d&color=stress&lang=${lang}`, options);
+  const { page } = await visitUnpainted(browser, `?preset=figure-17d&color=stress&lang=${lang}`, options);
   await openAll(page);
   expect(await page.evaluate(cutTexts)).toEqual([]);
   for (const name of dialogs) {

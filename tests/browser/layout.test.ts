@@ -3,7 +3,7 @@ import type { Browser, Page } from "playwright";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { grow, init, presets } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
-import { placeOf, visit } from "./visit.ts";
+import { placeOf, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -30,7 +30,7 @@ async function places(page: Page, id: string) {
 
 describe.each(sizes)("at %d x %d", (width, height) => {
   it("no control is cut off, and the legend does not cover the plant", async () => {
-    const { page, problems } = await visit(browser, "?preset=figure-18b&color=stress", {
+    const { page, problems } = await visitUnpainted(browser, "?preset=figure-18b&color=stress", {
       viewport: { width, height },
     });
     const cut = await page.evaluate(() =>
@@ -58,7 +58,7 @@ describe.each(sizes)("at %d x %d", (width, height) => {
   });
 
   it("the whole plant is in the picture, and fills it", async () => {
-    const { page } = await visit(browser, "?preset=figure-13c", { viewport: { width, height } });
+    const { page } = await visitUnpainted(browser, "?preset=figure-13c", { viewport: { width, height } });
     const canvas = await page.locator("canvas.picture").boundingBox();
     if (!canvas) throw new Error("There is no picture.");
     const drawn = await places(page, "figure-13c");
@@ -77,7 +77,7 @@ describe.each(sizes)("at %d x %d", (width, height) => {
 });
 
 it("the scale bar is as long as it says", async () => {
-  const { page } = await visit(browser);
+  const { page } = await visitUnpainted(browser);
   const bar = await page
     .locator(".annotation .scale-bar")
     .evaluate((path) => (path as SVGPathElement).getBBox().width);
@@ -95,7 +95,7 @@ it.each([
   ["?preset=figure-13d&view=space", "45°"],
   ["?preset=figure-18a", "−60°"],
 ])("the angle of elevation is written beside the drawing, not on it: %s", async (query, text) => {
-  const { page } = await visit(browser, query);
+  const { page } = await visitUnpainted(browser, query);
   const label = page.locator(".annotation .angle");
   expect(await label.textContent()).toBe(text);
   const at = await label.boundingBox();

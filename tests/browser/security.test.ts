@@ -8,7 +8,7 @@ import type { Browser, Page } from "playwright";
 import { afterAll, beforeAll, describe, expect, inject, it } from "vitest";
 import { site } from "../../tools/paths.mjs";
 import { launchChromium } from "./chromium.ts";
-import { settled, type, visit } from "./visit.ts";
+import { settled, type, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -48,7 +48,7 @@ describe.each(pages)("the built %s", (name) => {
 });
 
 it("Trusted Types, eval and foreign workers: the page lets nothing of the kind happen", async () => {
-  const { page } = await visit(browser);
+  const { page } = await visitUnpainted(browser);
   const refused = await page.evaluate(async () => {
     const attempt = (work: () => unknown) => {
       try {
@@ -108,7 +108,7 @@ describe("a link", () => {
   it("with a payload for every key opens the page, runs nothing and plants nothing", {
     timeout: 180_000,
   }, async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     const keys = [
       "preset",
       "step",
@@ -140,7 +140,7 @@ describe("a link", () => {
 
 describe("a box of the form", () => {
   it("takes payloads for what they are: no numbers", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     for (const payload of payloads) {
       await type(page, /^Gravity/, payload);
       expect(await traces(page), payload).toEqual({ ran: false, planted: 0 });
@@ -150,7 +150,7 @@ describe("a box of the form", () => {
   });
 
   it("and the title of the embed dialog goes into the snippet as text", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await page.getByRole("button", { name: "Embed" }).click();
     for (const payload of payloads) {
       await page.getByRole("textbox", { name: /^Title/ }).fill(payload);
@@ -230,7 +230,7 @@ describe("messages", () => {
 });
 
 it("asks nobody for anything while it is used, but for its own files", async () => {
-  const { page, problems } = await visit(browser);
+  const { page, problems } = await visitUnpainted(browser);
   const asked: string[] = [];
   page.on("request", (request) =>
     asked.push(`${request.method()} ${request.url()} ${request.postData() ?? ""}`),

@@ -6,7 +6,7 @@ import { write } from "../../web/src/params/link.ts";
 import { complete } from "../../web/src/params/params.ts";
 import { initialState } from "../../web/src/params/state.ts";
 import { launchChromium } from "./chromium.ts";
-import { placeOf, pull, query, readTip, settled, visit } from "./visit.ts";
+import { placeOf, pull, query, readTip, settled, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -47,7 +47,7 @@ it.each([
   ["forks in space", bush],
   ["axes on a stem that bends", stem],
 ])("%s: the tip follows the pointer, by the force that is shown", async (_, params) => {
-  const { page, problems } = await visit(browser, link(params));
+  const { page, problems } = await visitUnpainted(browser, link(params));
   const tip = await readTip(page);
   const { place, segment } = lastEnd(params);
   expect(Math.abs(place[2] ?? 0)).toBeGreaterThan(0.01);
@@ -70,7 +70,7 @@ it.each([
 });
 
 it("colours, model, plane view, ages and loads off work on them", async () => {
-  const { page, problems } = await visit(browser, link(bush));
+  const { page, problems } = await visitUnpainted(browser, link(bush));
   for (const [control, wanted] of [
     ["Model", "style"],
     ["Limbs", ""],
@@ -107,7 +107,7 @@ it("a stem past its critical height leans, and See why says by how much it is pa
   const { report, polylines } = grow(tall);
   expect(report.selfBuckling).toBeGreaterThan(1);
   expect(polylines.points.at(-3)).toBeGreaterThan(0.1);
-  const { page, problems } = await visit(browser, link(tall));
+  const { page, problems } = await visitUnpainted(browser, link(tall));
   await page.locator("details.why > summary").click();
   await page.getByText(`${Number((100 * (report.selfBuckling ?? 0)).toPrecision(3))} %`).waitFor();
   expect(problems).toEqual([]);

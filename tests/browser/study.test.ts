@@ -7,7 +7,7 @@ import { grow, init, type ParamsInput } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
 import { pointOf, tipOf } from "./points.ts";
 import { meters, open } from "./study.ts";
-import { placeOf, settled, slider, visit } from "./visit.ts";
+import { placeOf, settled, slider, visit, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -38,7 +38,7 @@ describe("see why: along the axis", () => {
   const plant = () => grow({});
 
   it("plots and picture show one place, found on either", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     await open(page, "why");
     const place = slider(page, "Place along the axis");
     const start = await placeOf(page, pointOf(plant(), 20));
@@ -119,7 +119,7 @@ describe("see why: along the axis", () => {
   });
 
   it("goes along the thicker children of forks, and through whatever is pointed at", async () => {
-    const { page } = await visit(browser, "?preset=figure-18b");
+    const { page } = await visitUnpainted(browser, "?preset=figure-18b");
     await open(page, "why");
     const place = slider(page, "Place along the axis");
     const whole = Number(await place.getAttribute("aria-valuemax"));
@@ -133,7 +133,7 @@ describe("see why: along the axis", () => {
 
 describe("see why: what moves the tip", () => {
   it("is what central differences say, the most important first", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await open(page, "why");
     await page.locator(".bars li").first().waitFor();
     const bars = await page.locator(".bars li").evaluateAll((items) =>
@@ -164,7 +164,7 @@ describe("see why: what moves the tip", () => {
   });
 
   it("is said to be unknown where it is", async () => {
-    const { page } = await visit(browser, "?st=extrapolated&n=400&l=0.004");
+    const { page } = await visitUnpainted(browser, "?st=extrapolated&n=400&l=0.004");
     await open(page, "why");
     await page.getByText("Extrapolated growth has no exact derivatives").waitFor();
     await page.context().close();
@@ -172,7 +172,7 @@ describe("see why: what moves the tip", () => {
 });
 
 it("see why: whether it holds", async () => {
-  const { page } = await visit(browser, "?e=90&ym=20000000&r=0.005");
+  const { page } = await visitUnpainted(browser, "?e=90&ym=20000000&r=0.005");
   await open(page, "why");
   const facts = await page.locator(".facts").innerText();
   const { report } = grow({ axis: { elevation: 90, radius: 0.005 }, material: { youngsModulus: 2e7 } });
@@ -188,7 +188,7 @@ it("see why: whether it holds", async () => {
 });
 
 it("see why: the paper's relaxation and Newton's iterations are played, and end in the plant", async () => {
-  const { page, problems } = await visit(browser, "?n=16&l=0.09");
+  const { page, problems } = await visitUnpainted(browser, "?n=16&l=0.09");
   await open(page, "why");
   await page.getByRole("radio", { name: /All the weight at once/ }).check();
   await page.getByRole("button", { name: "Play both" }).click();
@@ -236,7 +236,7 @@ describe("the ruler and the protractor", () => {
   }
 
   it("measure what is under them", async () => {
-    const { page, problems } = await visit(browser);
+    const { page, problems } = await visitUnpainted(browser);
     await open(page, "measure");
     await page.getByRole("button", { name: "Ruler" }).click();
     const plant = grow({});
@@ -265,7 +265,7 @@ describe("the ruler and the protractor", () => {
   });
 
   it("are put away in the space view, with a way back", async () => {
-    const { page } = await visit(browser, "?view=space");
+    const { page } = await visitUnpainted(browser, "?view=space");
     await open(page, "measure");
     await page.getByRole("button", { name: "Look at the plane" }).click();
     await settled(page);
@@ -277,7 +277,7 @@ describe("the ruler and the protractor", () => {
 
 describe("by keys alone", () => {
   it("a line is traced, a point taken away", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     await open(page, "measure");
     await page.getByRole("radio", { name: "Traces the branch" }).check();
     const add = page.getByRole("button", { name: "Add a point" });
@@ -302,7 +302,7 @@ describe.each(["light", "dark"] as const)("axe finds nothing in %s", (colorSchem
     [390, 844],
   ])("at %d x %d, with everything open and in use", async (width, height) => {
     const viewport = { width, height };
-    const { page } = await visit(browser, "?pin=v%3D1&ym=400000000", {
+    const { page } = await visitUnpainted(browser, "?pin=v%3D1&ym=400000000", {
       viewport,
       colorScheme,
       bypassCSP: true,

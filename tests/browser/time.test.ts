@@ -3,7 +3,7 @@ import type { Browser, Page } from "playwright";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { launchChromium } from "./chromium.ts";
 import { Pixels } from "./pixels.ts";
-import { placeOf, query, readTip, settled, slider, visit } from "./visit.ts";
+import { placeOf, query, readTip, settled, slider, visit, visitUnpainted } from "./visit.ts";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -15,7 +15,7 @@ const age = (page: Page) => slider(page, "Age").inputValue();
 
 describe("the age", () => {
   it("goes by single steps, by buttons and by keys, and stops at both ends", async () => {
-    const { page } = await visit(browser, "?step=2");
+    const { page } = await visitUnpainted(browser, "?step=2");
     const younger = page.getByRole("button", { name: "One step younger" });
     const older = page.getByRole("button", { name: "One step older" });
     await older.click();
@@ -40,7 +40,7 @@ describe("the age", () => {
   });
 
   it("is replayed at the speed that is chosen", async () => {
-    const { page } = await visit(browser);
+    const { page } = await visitUnpainted(browser);
     const rates: number[] = [];
     for (const speed of ["0.5", "4"]) {
       await page.getByRole("combobox", { name: "Speed" }).selectOption(speed);
@@ -68,7 +68,7 @@ describe("the age", () => {
 
 describe("the loads", () => {
   it("are taken off: the plant rises through the shapes between, stays bent, and the link says so", async () => {
-    const { page, problems } = await visit(browser, "?preset=figure-17c&step=39", {
+    const { page, problems } = await visitUnpainted(browser, "?preset=figure-17c&step=39", {
       reducedMotion: "no-preference",
     });
     const loaded = await readTip(page);

@@ -4,7 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { grow, init } from "../../web/src/package/node.ts";
 import { launchChromium } from "./chromium.ts";
 import { Pixels } from "./pixels.ts";
-import { placeOf, pull, query, readTip, settled, visit } from "./visit.ts";
+import { placeOf, pull, query, readTip, settled, visit, visitUnpainted } from "./visit.ts";
 
 type Point = [x: number, y: number, z: number];
 
@@ -97,7 +97,7 @@ describe("dragged by its tip, the branch", () => {
   });
 
   it("is let go of by Escape, while the button is still down", async () => {
-    const { page } = await visit(browser, branch);
+    const { page } = await visitUnpainted(browser, branch);
     const tip = await readTip(page);
     await drag(page, tipOf(), [0.3, 0.2, 0]);
     expect(await readTip(page)).not.toBe(tip);
@@ -114,7 +114,7 @@ describe("dragged by its tip, the branch", () => {
   it("swings back where motion is welcome, and at once where it is not", async () => {
     const swings: { drawn: number; took: number }[] = [];
     for (const reducedMotion of ["no-preference", "reduce"] as const) {
-      const { page } = await visit(browser, `${branch}&step=39`, { reducedMotion });
+      const { page } = await visitUnpainted(browser, `${branch}&step=39`, { reducedMotion });
       await drag(page, tipOf(), [0.3, 0.2, 0]);
       const drawn = await page.evaluate(() => window.seen.drawn);
       await page.evaluate(() => {
@@ -139,7 +139,7 @@ describe("dragged by its tip, the branch", () => {
   });
 
   it("comes as near as it can to a place out of reach", async () => {
-    const { page } = await visit(browser, branch);
+    const { page } = await visitUnpainted(browser, branch);
     await drag(page, tipOf(), [0.6, 0.1, 0]);
     const [x, y] = await measuredTip(page);
     expect(Math.hypot(x, y)).toBeGreaterThan(0.48);
@@ -150,7 +150,7 @@ describe("dragged by its tip, the branch", () => {
 });
 
 it("any limb can be dragged, in space too; beside the plant the camera turns", async () => {
-  const { page } = await visit(browser, "?preset=figure-18b&view=space");
+  const { page } = await visitUnpainted(browser, "?preset=figure-18b&view=space");
   const tip = await readTip(page);
   const { polylines } = grow({});
   expect(polylines.offsets.length).toBe(2);
@@ -174,7 +174,7 @@ it("any limb can be dragged, in space too; beside the plant the camera turns", a
 });
 
 it("by keys: Enter takes hold of the tip, arrows pull, Page Down goes towards the base, Escape lets go", async () => {
-  const { page } = await visit(browser, branch);
+  const { page } = await visitUnpainted(browser, branch);
   const tip = await measuredTip(page);
   await page.locator("canvas.picture").focus();
   await page.keyboard.press("Enter");
@@ -211,7 +211,7 @@ describe("by touch", () => {
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
   it("one finger drags the plant", async () => {
-    const { page } = await visit(browser, branch, phone);
+    const { page } = await visitUnpainted(browser, branch, phone);
     const tip = await readTip(page);
     const touch = await fingers(page);
     const { x, y } = await placeOf(page, tipOf());
@@ -227,7 +227,7 @@ describe("by touch", () => {
   });
 
   it("two fingers zoom, even if the first of them is on the plant", async () => {
-    const { page } = await visit(browser, branch, phone);
+    const { page } = await visitUnpainted(browser, branch, phone);
     const width = async () => distance(await placeOf(page, [0, 0, 0]), await placeOf(page, tipOf()));
     const before = await width();
     const touch = await fingers(page);

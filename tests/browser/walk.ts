@@ -10,6 +10,7 @@ import { read, write } from "../../web/src/params/link.ts";
 import { stepsOf } from "../../web/src/params/params.ts";
 import { randomFrom } from "../random.ts";
 import { complaint } from "./chromium.ts";
+import { paintNothing } from "./visit.ts";
 
 /** What is typed: numbers of every kind, and what is no number. */
 const texts = [
@@ -118,19 +119,6 @@ function complaints(page: Page): string[] {
     void dialog.dismiss();
   });
   return found;
-}
-
-/**
- * Runs in the page before its own code. Where the processor paints the picture, most of a walk is painting, which nothing here
- * looks at: all calls of WebGL go through but those that fill pixels, and what fetches them for the page.
- */
-function paintNothing(): void {
-  const { prototype } = WebGL2RenderingContext;
-  prototype.drawElements = () => {};
-  prototype.drawArrays = () => {};
-  prototype.drawElementsInstanced = () => {};
-  prototype.drawArraysInstanced = () => {};
-  CanvasRenderingContext2D.prototype.drawImage = () => {};
 }
 
 /** One action; returns what it was. */
