@@ -76,6 +76,40 @@ describe.each(sizes)("at %d x %d", (width, height) => {
   });
 });
 
+it.each([
+  ["en", 1280, 800],
+  ["fr", 700, 420],
+  ["de", 320, 640],
+] as const)(
+  "every box and slider of the form has room, where values were changed too: %s, %d x %d",
+  async (lang, width, height) => {
+    const changed = "?ta=0&rc=0.1&l=0.03&sg=0.2&lt=0.1&wd=20";
+    const { page } = await visitUnpainted(browser, `${changed}&lang=${lang}`, {
+      viewport: { width, height },
+    });
+    const entries = await page.locator(".fields .entry").evaluateAll((all) => {
+      for (const group of document.querySelectorAll<HTMLDetailsElement>("details.group")) group.open = true;
+      return all.map((entry) => {
+        const { left, right } = entry.getBoundingClientRect();
+        const parts = [...entry.children].map((part) => part.getBoundingClientRect());
+        return {
+          name: entry.parentElement?.querySelector(".label")?.textContent,
+          narrow: parts.some((part) => part.width < 13),
+          typed: [...entry.querySelectorAll("input[type=text]")].map((box) => box.clientWidth),
+          sticksOut: parts.some((part) => part.left < left - 1 || part.right > right + 1),
+        };
+      });
+    });
+    expect(entries.length).toBeGreaterThan(30);
+    for (const { name, narrow, typed, sticksOut } of entries) {
+      expect(narrow, `${name} is narrow`).toBe(false);
+      expect(sticksOut, `${name} sticks out`).toBe(false);
+      for (const room of typed) expect(room, `${name} has a box of ${room} px`).toBeGreaterThan(24);
+    }
+    await page.context().close();
+  },
+);
+
 it("the scale bar is as long as it says", async () => {
   const { page } = await visitUnpainted(browser);
   const bar = await page
