@@ -76,6 +76,22 @@ describe("compare", () => {
     await page.context().close();
   });
 
+  it("a part that is opened stays open, whatever is drawn before the browser tells of it", async () => {
+    const { page } = await visitUnpainted(browser);
+    await open(page, "compare");
+    await page.evaluate(() => {
+      document.querySelector<HTMLElement>("details.measure > summary")?.click();
+      document.querySelector<HTMLElement>("details.compare .deeds button")?.click();
+    });
+    await page.getByRole("button", { name: "Take A away" }).waitFor();
+    await settled(page);
+    expect(await page.locator("details.measure").evaluate((part: HTMLDetailsElement) => part.open)).toBe(
+      true,
+    );
+    await page.getByRole("button", { name: "Ruler" }).waitFor({ timeout: 5000 });
+    await page.context().close();
+  });
+
   it("takes a larger A into the picture, and lets it go with it", async () => {
     const { page, problems } = await visitUnpainted(browser, "?preset=figure-2a&pin=v%3D1");
     const ghost = page.locator(".overlay .ghost");

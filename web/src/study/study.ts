@@ -3,7 +3,6 @@
  * page that is loaded after the first plant.
  */
 import { html, render, type TemplateResult } from "lit";
-import { live } from "lit/directives/live.js";
 import { Analyst } from "../engine/analyst.ts";
 import { language } from "../language/say.ts";
 import { Comparison } from "./comparison.ts";
@@ -67,7 +66,7 @@ export class Study {
       ${this.#sections.map(
         (
           section,
-        ) => html`<details class="group ${section.name}" ?open=${live(section.open)} @toggle=${(event: Event) => this.#toggle(section, event)}>
+        ) => html`<details class="group ${section.name}" ?open=${section.open} @toggle=${(event: Event) => this.#toggle(section, event)}>
           <summary>${section.title}</summary>
           ${section.open && this.#sight ? section.render() : ""}
         </details>`,
