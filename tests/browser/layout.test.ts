@@ -83,10 +83,11 @@ it.each([
 ] as const)(
   "every box and slider of the form has room, where values were changed too: %s, %d x %d",
   async (lang, width, height) => {
-    const changed = "?ta=0&rc=0.1&l=0.03&sg=0.2&lt=0.1&wd=20";
+    const changed = "?ta=0&rc=0.1&l=0.03&sn=1&tm=0.01";
     const { page } = await visitUnpainted(browser, `${changed}&lang=${lang}`, {
       viewport: { width, height },
     });
+    expect(await page.locator(".changed").count()).toBeGreaterThanOrEqual(3);
     const entries = await page.locator(".fields .entry").evaluateAll((all) => {
       for (const group of document.querySelectorAll<HTMLDetailsElement>("details.group")) group.open = true;
       return all.map((entry) => {
@@ -94,6 +95,7 @@ it.each([
         const parts = [...entry.children].map((part) => part.getBoundingClientRect());
         return {
           name: entry.parentElement?.querySelector(".label")?.textContent,
+          // No part is as narrow as that: a box to tick has 16 px.
           narrow: parts.some((part) => part.width < 13),
           typed: [...entry.querySelectorAll("input[type=text]")].map((box) => box.clientWidth),
           sticksOut: parts.some((part) => part.left < left - 1 || part.right > right + 1),
@@ -104,6 +106,7 @@ it.each([
     for (const { name, narrow, typed, sticksOut } of entries) {
       expect(narrow, `${name} is narrow`).toBe(false);
       expect(sticksOut, `${name} sticks out`).toBe(false);
+      // Three digits have 24 px.
       for (const room of typed) expect(room, `${name} has a box of ${room} px`).toBeGreaterThan(24);
     }
     await page.context().close();

@@ -1,7 +1,9 @@
-/** What a stage shows, and what of it makes the mesh. */
+/** What a stage shows: what of it makes the mesh, and what is marked on it. */
+import type { Vector } from "../geometry/bounds.ts";
 import type { Lumping } from "../geometry/model.ts";
 import type { Paint } from "../geometry/shade.ts";
-import type { Plant } from "../plant/plant.ts";
+import type { Axes } from "../geometry/tube.ts";
+import { isBroken, type Plant } from "../plant/plant.ts";
 import type { Bearing } from "./burden.ts";
 import type { Tone } from "./palette.ts";
 import type { Look } from "./world.ts";
@@ -40,4 +42,17 @@ export function lookOf({ grown, paint, model, bearing }: Shown, girth: number, e
 /** Whether it is a thin stalk with leaves or a flower, and not wood: it does not thicken. */
 function isStalk({ params: { axis, growth, loads } }: Plant): boolean {
   return growth.thickening === "none" && axis.radius < 0.003 && (loads.foliage > 0 || loads.tipMass > 0);
+}
+
+/** Where a plant breaks first, as it is drawn, m; null where it holds. */
+export function breakOf({ report }: Plant, { polylines, segments }: Axes): Vector | null {
+  if (!isBroken(report) || report.breaksFirst === null) return null;
+  const at = 3 * ((segments.point[report.breaksFirst] ?? 1) - 1);
+  const [x = 0, y = 0, z = 0] = polylines.points.subarray(at, at + 3);
+  return [x, y, z];
+}
+
+/** Where the masses of the model are: as the plant was computed. */
+export function lumpingOf({ params }: Plant): Lumping {
+  return params.solver.discretization === "paper" ? "distal" : "ends";
 }

@@ -3,12 +3,12 @@ import type { Vector } from "../geometry/bounds.ts";
 import type { Frame } from "../geometry/frame.ts";
 import { paintOf } from "../geometry/legend.ts";
 import { measure } from "../geometry/measure.ts";
-import { type Lumping, mostModelled } from "../geometry/model.ts";
+import { mostModelled } from "../geometry/model.ts";
 import { headingOf, type Pick, pick } from "../geometry/pick.ts";
 import type { Color } from "../geometry/shade.ts";
 import type { Axes } from "../geometry/tube.ts";
 import { say } from "../language/say.ts";
-import { isBroken, type Plant } from "../plant/plant.ts";
+import type { Plant } from "../plant/plant.ts";
 import { Annotation, type Place } from "./annotation.ts";
 import type { Bearing } from "./burden.ts";
 import { Camera, type View } from "./camera.ts";
@@ -18,7 +18,7 @@ import { Morph } from "./morph.ts";
 import type { Tone } from "./palette.ts";
 import { Press, type Sheet } from "./press.ts";
 import { Projection } from "./projection.ts";
-import { lookOf, looksLike, type Shown } from "./shown.ts";
+import { breakOf, lookOf, looksLike, lumpingOf, type Shown } from "./shown.ts";
 import { unproject } from "./sight.ts";
 import { placedAt } from "./world.ts";
 
@@ -303,8 +303,8 @@ export class Stage {
     this.#request = 0;
     const placed = this.#framing.at(now);
     const shape = this.#morph.at(now);
-    const isSeen = this.#projection.width > 0 && this.#press && !this.#press.isLost;
-    if (!placed || !shape || !this.#shown || !this.#press || !isSeen) {
+    const press = this.#press?.isLost ? null : this.#press;
+    if (!placed || !shape || !this.#shown || !press || this.#projection.width === 0) {
       this.#tell("bough-idle");
       return;
     }
@@ -318,7 +318,7 @@ export class Stage {
     const sheet = this.#sheetOf(shape.axes, this.#shown);
     // Only now, as it wipes the canvas.
     this.#sharpen();
-    this.#press.print({ sheet, tone: this.#shown.tone, frame, foot, eye }, this.#pen);
+    press.print({ sheet, tone: this.#shown.tone, frame, foot, eye }, this.#pen);
     this.#annotate(frame, shape.axes, this.#shown);
     const detail: Drawn = { projection: this.#projection.clip.toArray(), moving: this.moving };
     this.#tell("bough-drawn", detail);
@@ -392,16 +392,4 @@ export class Stage {
     this.#framing.resize({ width, height });
     this.#invalidate();
   }
-}
-
-/** Where a plant breaks first, as it is drawn, m; null where it holds. */
-function breakOf({ report }: Plant, { polylines, segments }: Axes): Vector | null {
-  if (!isBroken(report) || report.breaksFirst === null) return null;
-  const at = 3 * ((segments.point[report.breaksFirst] ?? 1) - 1);
-  const [x = 0, y = 0, z = 0] = polylines.points.subarray(at, at + 3);
-  return [x, y, z];
-}
-
-function lumpingOf({ params }: Plant): Lumping {
-  return params.solver.discretization === "paper" ? "distal" : "ends";
 }
