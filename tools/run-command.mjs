@@ -29,6 +29,7 @@ export async function runCommand(purpose, commandLine, options = {}) {
     env: { ...process.env, ...env },
     stdio: ["ignore", show ? "inherit" : "pipe", show ? "inherit" : "pipe"],
   });
+  const unbind = endTogether(child);
   let output = "";
   for (const stream of [child.stdout, child.stderr]) {
     stream?.setEncoding("utf8").on("data", (text) => {
@@ -37,9 +38,29 @@ export async function runCommand(purpose, commandLine, options = {}) {
     });
   }
   const failure = await failureOf(child, limit);
+  unbind();
   progress.end(failure === undefined);
   if (failure) throw new Obstacle(`${purpose}: ${commandLine.join(" ")} ${failure}.`, { output, remedy });
   return output;
+}
+
+/**
+ * What ends this process ends the command: a signal to this process alone would leave it running, with its browsers.
+ * @param {import("node:child_process").ChildProcess} child
+ * @returns {() => void} takes that back
+ */
+function endTogether(child) {
+  /** @type {NodeJS.Signals[]} */
+  const signals = ["SIGINT", "SIGTERM", "SIGHUP"];
+  const end = (/** @type {NodeJS.Signals} */ signal) => {
+    child.kill(signal);
+    // Nobody listens to it any more, so it does what it does by itself.
+    process.kill(process.pid, signal);
+  };
+  for (const signal of signals) process.once(signal, end);
+  return () => {
+    for (const signal of signals) process.off(signal, end);
+  };
 }
 
 /**

@@ -181,7 +181,8 @@ describe("messages", () => {
     await frame?.locator("bough-plant canvas").first().waitFor();
     const answers = await page.evaluate(async (texts) => {
       const answers: string[] = [];
-      addEventListener("message", ({ data }) => answers.push(data?.type));
+      const after: string[] = [];
+      addEventListener("message", ({ data }) => (data?.id === "after" ? after : answers).push(data?.type));
       const frame = document.querySelector("iframe")?.contentWindow;
       const send = (message: unknown) => frame?.postMessage(message, "*");
       const values = [
@@ -208,13 +209,15 @@ describe("messages", () => {
       // A hundred tabs' worth of them in one go.
       for (let tab = 0; tab < 5000; tab++) send({ bough: 1, type: "get", id: tab });
       await new Promise((resolve) => setTimeout(resolve, 1500));
-      const before = answers.length;
-      send({ bough: 1, type: "get", id: "after" });
-      await new Promise((resolve) => setTimeout(resolve, 1500));
+      // The frame listens again a second after it has taken the last of the flood, which a busy machine does late.
+      for (let ask = 0; ask < 20 && after.length === 0; ask++) {
+        send({ bough: 1, type: "get", id: "after" });
+        await new Promise((resolve) => setTimeout(resolve, 1000));
+      }
       return {
         errors: answers.filter((type) => type === "error").length,
-        all: before,
-        after: answers.slice(before),
+        all: answers.length,
+        after,
       };
     }, payloads);
     expect(answers.errors, "what is wrong is said").toBeGreaterThan(0);
