@@ -39,6 +39,23 @@ describe("the age", () => {
     await page.context().close();
   });
 
+  it("is at rest when it is paused before the first step is over", async () => {
+    const { page } = await visitUnpainted(browser, "?step=1");
+    const play = page.locator("button.play");
+    // By the page itself, as soon as it says that it plays: the age that is paused at is that of the link still.
+    const said = await play.evaluate(async (button: HTMLElement) => {
+      button.click();
+      await new Promise((resolve) => setTimeout(resolve));
+      const said = button.ariaLabel;
+      button.click();
+      return said;
+    });
+    expect(said).toBe("Pause");
+    await settled(page);
+    expect([await play.getAttribute("aria-label"), await age(page)]).toEqual(["Watch it grow", "1"]);
+    await page.context().close();
+  });
+
   it("is replayed at the speed that is chosen", async () => {
     const { page } = await visitUnpainted(browser);
     const rates: number[] = [];

@@ -237,7 +237,7 @@ async function comesToRest(longest: number): Promise<boolean> {
 }
 
 /** Waits until all is at rest. What takes long is cancelled, what plays is paused, as a person would. */
-async function rest({ page }: Walker, counts: { cancelled: number }): Promise<void> {
+async function rest({ page, problems }: Walker, counts: { cancelled: number }): Promise<void> {
   const begin = Date.now();
   for (let wait = playtime; Date.now() - begin < longest; wait = patience - playtime) {
     // Back over a reload is another document: what waits in the old one is lost with it.
@@ -256,7 +256,8 @@ async function rest({ page }: Walker, counts: { cancelled: number }): Promise<vo
     counts.cancelled += Number(pressed);
   }
   const seen = await page.evaluate(unrest);
-  throw new Error(`The page does not come to rest within ${longest / 1000} s: ${seen}`);
+  const said = problems.join("; ") || "no complaint";
+  throw new Error(`The page does not come to rest within ${longest / 1000} s (${said}): ${seen}`);
 }
 
 /** Runs in the page: what may be the reason that it does not come to rest. */

@@ -57,8 +57,11 @@ export class Replay {
   /** Stays at the present age. */
   pause(): void {
     const { step } = this;
+    const isKnown = step === this.#store.state.step;
     this.#playback.stop();
     this.#store.set({ step }, "settled");
+    // The store tells nothing of an age that it has already.
+    if (isKnown) this.#onStep();
   }
 
   /** Stops, and goes back to the age of the state. */
