@@ -45,7 +45,8 @@ export async function runCommand(purpose, commandLine, options = {}) {
 }
 
 /**
- * What ends this process ends the command: a signal to this process alone would leave it running. What the command itself began is its own to end.
+ * What ends this process ends the command: a signal to this process alone would leave it running. What the command itself
+ * began is its own to end.
  * @param {import("node:child_process").ChildProcess} child
  * @returns {() => void} takes that back
  */

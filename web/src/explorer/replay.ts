@@ -47,8 +47,7 @@ export class Replay {
     const { step } = this.#store.state;
     const from = whole || step === null || step >= last ? 1 : step;
     const onEnd = () => {
-      this.#store.set({ step: null }, "settled");
-      this.#onStep();
+      this.#stay(null);
       onPlayed?.();
     };
     this.#playback.start(from, last, this.#onStep, onEnd);
@@ -56,12 +55,7 @@ export class Replay {
 
   /** Stays at the present age. */
   pause(): void {
-    const { step } = this;
-    const isKnown = step === this.#store.state.step;
-    this.#playback.stop();
-    this.#store.set({ step }, "settled");
-    // The store tells nothing of an age that it has already.
-    if (isKnown) this.#onStep();
+    this.#stay(this.step);
   }
 
   /** Stops, and goes back to the age of the state. */
@@ -76,8 +70,15 @@ export class Replay {
     const last = this.#grown()?.report.steps;
     if (last === undefined) return;
     const step = Math.min(Math.max((this.step ?? last) + steps, 1), last);
+    this.#stay(step === last ? null : step);
+  }
+
+  /** Stops, and makes an age that of the state. */
+  #stay(step: number | null): void {
+    const isKnown = step === this.#store.state.step;
     this.#playback.stop();
-    this.#store.set({ step: step === last ? null : step }, "settled");
-    this.#onStep();
+    this.#store.set({ step }, "settled");
+    // The store tells nothing of an age that it has already.
+    if (isKnown) this.#onStep();
   }
 }
